@@ -65,7 +65,8 @@ static void put_room(double wall, const char *shadows, const char *rotation, cha
     }
 }
 
-/* What sRGB rounds to 1 of 255 at most. Maps have leaks of their own where walls are thinner than their texels and voxels. */
+/* What sRGB rounds to 1 of 255 at most. Maps light the rim of a wall's inner face where it ends within the next wall, two of their texels or less below what is outside: in the room
+ * whose walls are 1.5 voxels thick a ray from within meets a voxel that has such a node. Of 52 rooms with walls of 0.03 to 0.3 it is the only one in which anything is seen. */
 static void nothing_shines_through_walls(void **state)
 {
     (void)state;
@@ -74,7 +75,9 @@ static void nothing_shines_through_walls(void **state)
     static const struct {
         double wall;
         const char *shadows;
-    } cases[] = {{.02, "exact"}, {.06, "exact"}, {.09, "exact"}, {.12, "exact"}, {.07, "map"}, {.12, "map"}};
+        double most; /* times what rounds to 1 */
+    } cases[] = {{.02, "exact", 0}, {.06, "exact", 0}, {.09, "exact", 0},
+                 {.12, "exact", 0}, {.07, "map", 1},   {.12, "map", 1.5}};
     const double black = 1.5 / 255 / 12.92;
     GlContext *gl = frame_context();
     for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; i++) {
@@ -85,7 +88,7 @@ static void nothing_shines_through_walls(void **state)
         const double within = brightest_of(gl, text);
         print_message("walls of %.2f, shadows %s: %.2g of black\n", cases[i / 2].wall, cases[i / 2].shadows,
                       within / black);
-        assert_true(within <= black);
+        assert_true(within <= cases[i / 2].most * black);
         length = snprintf(text, sizeof text, camera, "4, -4, 3");
         snprintf(text + length, sizeof text - (size_t)length, "%s", room);
         if (i == 0)
@@ -316,14 +319,19 @@ static void assert_as_new(GlContext *gl, Render *render, const Scene *scene, con
     free(as_new);
 }
 
+/* Light that bounces on, too: threads find nodes in another order each time, and no number may follow that. */
 static void what_changes_is_as_new(void **state)
 {
     (void)state;
+    static const char key[] = "indirect: {";
+    char text[sizeof behind + TEXT];
+    const char *at = strstr(behind, key) + strlen(key);
+    snprintf(text, sizeof text, "%.*s bounces: 3,%s", (int)(at - behind), behind, at);
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "indirect"};
     GlContext *gl = frame_context();
     MatcDocument *document;
-    Scene *scene = frame_scene(behind, &options, &document);
+    Scene *scene = frame_scene(text, &options, &document);
     Render *render = render_open(gl, &how);
     assert_non_null(render);
     assert_true(render_scene(render, scene));

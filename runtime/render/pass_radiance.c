@@ -16,7 +16,7 @@ static void clip_of(const Render *render, int side, double clip[16])
 }
 
 /* Axes that follow each other, with depth away from the eye, are as in a mirror. */
-static void cast(Render *render, int side, int wave)
+static void cast(Render *render, int side, RadianceCast kind)
 {
     static const CullVolume all = {.count = 0};
     const CacheSource source = frame_source(render);
@@ -27,8 +27,8 @@ static void cast(Render *render, int side, int wave)
                              .volume = &all,
                              .mirrored = side % 2 == 0,
                              .kept = render->radiance.keepers,
-                             .waves = render->voxels.waves,
-                             .wave = wave},
+                             .waves = render->radiance.casts,
+                             .wave = kind},
                false);
 }
 
@@ -46,7 +46,7 @@ static void wait(const Render *render)
                               GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/* Of bodies their fronts alone; the map's texture says how large the framebuffer is. */
+/* Of what is closed its fronts alone: a back would send light within it, and have rays from there go out through a thin wall. The map's texture says how large the framebuffer is. */
 static void draw_surfaces(Render *render, int step)
 {
     const GlContext *gl = render->gl;
@@ -60,10 +60,10 @@ static void draw_surfaces(Render *render, int step)
     tell(render, "radiance_step", step);
     for (int side = 0; side < RADIANCE_SIDES; side++) {
         tell(render, "radiance_side", side);
-        for (int wave = 0; wave <= render->voxels.wave_count; wave++) {
-            tell(render, "radiance_body", wave > 0);
-            (wave ? gl->Enable : gl->Disable)(GL_CULL_FACE);
-            cast(render, side, wave);
+        for (int kind = 0; kind < RADIANCE_CASTS; kind++) {
+            tell(render, "radiance_body", kind == RADIANCE_body);
+            (kind == RADIANCE_surface ? gl->Disable : gl->Enable)(GL_CULL_FACE);
+            cast(render, side, kind);
         }
     }
     gl->Disable(GL_CULL_FACE);
@@ -210,6 +210,7 @@ void pass_radiance_draw(Render *render)
     FrameRadiance *radiance = &render->radiance;
     if (radiance->drawn)
         return;
+    radiance_sort(render);
     find_nodes(render);
     bind(render);
     draw_surfaces(render, STEP_nearest);

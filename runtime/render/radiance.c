@@ -148,8 +148,22 @@ static bool make_buffers(Render *render)
     return gl_check(render->gl, "making room for cached radiance");
 }
 
+void radiance_sort(Render *render)
+{
+    const Cache *cache = &render->cache;
+    for (int i = 0; i < cache->place_count; i++) {
+        const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid;
+        render->radiance.casts[i] = render->voxels.waves[i] ? RADIANCE_body
+                                    : closed                ? RADIANCE_closed
+                                                            : RADIANCE_surface;
+    }
+}
+
 bool radiance_make(Render *render)
 {
+    render->radiance.casts = calloc((size_t)render->cache.place_count + 1, sizeof *render->radiance.casts);
+    if (!render->radiance.casts)
+        return gl_fail(render->gl, "out of memory");
     return make_buffers(render) && make_keepers(render) && make_number(render) && make_light(render) &&
            make_bounce(render);
 }
@@ -209,6 +223,7 @@ void radiance_delete(Render *render)
         if (radiance->keepers[i].store)
             material_delete(&radiance->keepers[i]);
     free(radiance->keepers);
+    free(radiance->casts);
     if (radiance->number.store)
         material_delete(&radiance->number);
     screen_pass_delete(&radiance->light);

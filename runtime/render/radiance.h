@@ -16,9 +16,13 @@
 
 enum { RADIANCE_SIZE_MOST = 256, RADIANCE_SIDES = 6, RADIANCE_HEAD = 4 /* words before those of voxels */ };
 
+/* How a place of the cache is drawn: from both sides; its fronts alone, as it is closed; these, as a body of the voxels. */
+typedef enum { RADIANCE_surface, RADIANCE_closed, RADIANCE_body, RADIANCE_CASTS } RadianceCast;
+
 typedef struct {
     Material *keepers; /* by kind of the cache: its program, which ends in nodes */
     int keeper_count;
+    unsigned char *casts;            /* by place */
     Material number;                 /* gives the nodes of a voxel their numbers */
     ScreenPass light, bounce;        /* what lamps have nodes send; what these have each other send */
     GLuint faces, nodes, kept;       /* buffers */
@@ -36,6 +40,8 @@ bool radiance_needed(const Render *render);
 bool radiance_make(Render *render);
 /* Room for so many nodes. False: there may not be so much. */
 bool radiance_make_room(Render *render, GLuint nodes);
+/* Fills casts: objects may have moved. */
+void radiance_sort(Render *render);
 int radiance_texels(const Render *render); /* of a node in the buffer light */
 void radiance_delete(Render *render);
 /* Tells a pass that has radiance.glsl in its text where it is: two units from `unit` on. Binds it to these before a run. */

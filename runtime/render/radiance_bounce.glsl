@@ -3,9 +3,9 @@
 uniform int bounce_step;   // 0: rays; 1: put in place
 uniform float bounce_far;  // of the map's voxels
 
-vec3 bounceDirection(int ray, uint number, vec3 normal)
+vec3 bounceDirection(int ray, uint seed, vec3 normal)
 {
-    uint random = number * 747796405u + 2891336453u; // O'Neill's PCG
+    uint random = seed * 747796405u + 2891336453u; // O'Neill's PCG
     random = ((random >> (random >> 28 & 15u) + 4u) ^ random) * 277803737u;
     random ^= random >> 22;
     vec2 s = fract(vec2(float(ray) / float(RADIANCE_RAYS), float(bitfieldReverse(uint(ray)) >> 8) / 16777216.0) +
@@ -29,9 +29,10 @@ void main()
     vec3 normal = normalize(radianceNormal(radiance_texels[first].w));
     vec3 place = float(1 << radiance_shift) * radiancePlace(number * LISTS_STRIDE, radiance_size);
     vec3 start = voxelStart(place, normal);
+    uint seed = radiance_nodes[number * LISTS_STRIDE] & ~RADIANCE_BODY; // the voxel and its side: numbers of nodes are others each time
     for (int i = 0; i < RADIANCE_RAYS && even != vec3(0.0); i++) {
         float t = 0.0;
-        vec3 way = bounceDirection(i, number, normal);
+        vec3 way = bounceDirection(i, seed, normal);
         if (!radianceBegins(place, start, way) && !voxelRay(start, way, bounce_far, t)) continue;
         RadianceSum met = radianceAlong(place, start, way, t);
         sum += (met.direct + met.further) / max(met.weight, 1e-6);
