@@ -28,6 +28,8 @@ void describe_error(Text *out, const FieldRow *field);
 void describe_functions(Text *out);
 void describe_function(Text *out, int term);
 void describe_formula_schema(Text *out);
+/* What translations.def makes of such a material, a line for each parameter of Principled, then what is lost. describe_translation.c */
+void describe_translations(Text *out, Kind kind, const char *indent);
 /* The page of a layout. describe_layout.c */
 void describe_layout(Text *out, const LayoutRow *layout);
 /* What a parameter's value must be, as members of a JSON object of the schema of documents; the definition of a list of

@@ -108,6 +108,7 @@ static void put_kind(Text *out, Kind kind, const char *preset)
     put_parameters(out, row, preset);
     text_put(out, "\nMeaning\n");
     put_indented(out, kind_table[kind].formula);
+    describe_translations(out, kind, "  ");
     text_put(out, "\nAnswers\n");
     put_indented(out, kind_table[kind].answers);
     Text example = text_new(out->arena);

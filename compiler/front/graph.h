@@ -76,6 +76,7 @@ typedef struct {
     Value value;       /* Float */
     const Node *input; /* NULL reads the surface */
     Span span;
+    int8_t width; /* lanes in which a formula reads the input; 0: the input's own */
 } Item;
 typedef struct Items {
     int count;

@@ -173,39 +173,6 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
     return false;
 }
 
-static void below(Node *node, const Node *child)
-{
-    if (!child)
-        return;
-    if (child->depth >= node->depth)
-        node->depth = child->depth + 1;
-    if (child->filters > node->filters)
-        node->filters = child->filters;
-    node->steps |= child->steps;
-}
-
-/* Measures what hangs below a node, and bounds it. */
-static bool measure(Resolver *r, Node *node)
-{
-    for (int i = 0; i < kind_table[node->kind].count; i++) {
-        const Value *value = &node->params[i];
-        if (value->kind == VALUE_node)
-            below(node, value->node);
-        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
-            below(node, value->items->item[k].input);
-    }
-    node->depth += node->kind == KIND_Expression ? resolve_formula_depth(node) : 0;
-    node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D;
-    node->steps |= kind_table[node->kind].step_lanes > 0;
-    if (node->depth > LIMIT_GRAPH_DEPTH)
-        diag_add(r->session, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
-    else if (node->filters > LIMIT_FILTERS)
-        diag_add(r->session, node->span, DIAG_too_many_filters, LIMIT_FILTERS);
-    else
-        return true;
-    return false;
-}
-
 /* What the maps in a material's parameter belong to: the slot, if it is one. */
 static const char *slot_name(const char *param)
 {
@@ -217,19 +184,6 @@ static const char *slot_name(const char *param)
 
 /* Before anything is made of the tree. */
 static const char *own_name(const Tree *tree) { return tree->made == MADE_nothing ? tree->name : NULL; }
-
-/* With all that goes by what is below it; NULL: that is too much. */
-static const Node *make_node(Resolver *r, const Tree *tree, Node of)
-{
-    Node *node = ARENA_NEW(r->session->arena, Node);
-    *node = of;
-    node->index = r->node_count++;
-    node->name = own_name(tree);
-    node->owner = r->owner;
-    ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
-    node->width = (int8_t)resolve_width(node);
-    return measure(r, node) ? node : NULL;
-}
 
 /* { map: Kind, param: value, ... }, and the same with material: */
 static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool outermost)
@@ -265,7 +219,10 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     }
     if (kind == KIND_Expression)
         fine &= resolve_expression(r, tree, params);
-    const Node *node = make_node(r, tree, (Node){.kind = kind, .span = name->value->span, .params = params});
+    const Node of = {.kind = kind, .span = name->value->span, .params = params, .name = own_name(tree)};
+    if (resolve_is_foreign(kind))
+        return fine ? resolve_translate(r, of) : NULL;
+    const Node *node = resolve_make_node(r, of);
     if (kind == KIND_ImageMap && fine && node)
         resolve_picture(r, node, params);
     return fine ? node : NULL;
@@ -334,24 +291,19 @@ static const Node *resolve_ref(Resolver *r, Tree *tree, bool material)
 static const Node *resolve_shorthand(Resolver *r, Tree *tree)
 {
     Value *params = ARENA_ARRAY(r->session->arena, Value, kind_table[KIND_Expression].count);
-    const Node of = {.kind = KIND_Expression, .span = tree->span, .params = params};
-    return resolve_formula(r, tree, NULL, params) ? make_node(r, tree, of) : NULL;
+    const Node of = {.kind = KIND_Expression, .span = tree->span, .params = params, .name = own_name(tree)};
+    return resolve_formula(r, tree, NULL, params) ? resolve_make_node(r, of) : NULL;
 }
 
 /* Constant node of a number, a list, a colour or a param. */
 static const Node *resolve_constant(Resolver *r, Tree *tree)
 {
-    Value *value = ARENA_NEW(r->session->arena, Value);
+    Value value;
     if (resolve_is_formula(tree))
         return resolve_shorthand(r, tree);
-    if (mistake_map(r, tree) || !resolve_number(r, "a map", tree, (LaneCount){1, 4}, value))
+    if (mistake_map(r, tree) || !resolve_number(r, "a map", tree, (LaneCount){1, 4}, &value))
         return NULL;
-    Node *node = ARENA_NEW(r->session->arena, Node);
-    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .span = tree->span, .params = value};
-    node->name = own_name(tree);
-    node->owner = r->owner;
-    node->width = (int8_t)resolve_width(node);
-    return node;
+    return resolve_make_constant(r, (Node){.span = tree->span, .name = own_name(tree)}, value);
 }
 
 static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool outermost)

@@ -60,11 +60,18 @@ const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, 
 /* A map: number, list, colour, param, reference or object. NULL for none and for a fault; *fault tells. */
 const Node *resolve_map(Resolver *r, Tree *tree, bool *fault);
 const Node *resolve_material(Resolver *r, Tree *tree, bool *fault);
+/* A node that is whole but for its number, its lanes, whose part it is, and what is measured below it; NULL and a diagnostic: that is too
+ * much. Of a number, which is no part of `nodes`. resolve_node.c */
+const Node *resolve_make_node(Resolver *r, Node of);
+const Node *resolve_make_constant(Resolver *r, Node of, Value number);
+Value resolve_default(Resolver *r, const ParamRow *row);
+/* translations.def makes a Principled of such a material, whose parameters are resolved; NULL and a diagnostic. resolve_translation.c */
+bool resolve_is_foreign(Kind kind);
+const Node *resolve_translate(Resolver *r, Node of);
 /* The value of one parameter. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
-/* Of one that holds neither maps nor materials; its default; what stands for null. resolve_leaf.c */
+/* Of one that holds neither maps nor materials; what stands for null. resolve_leaf.c */
 bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
-Value resolve_default(Resolver *r, const ParamRow *row);
 Value resolve_null(Resolver *r, const ParamRow *row, const Tree *tree);
 
 /* False, and a diagnostic: a float of GLSL does not hold the number of that tree. */
@@ -90,10 +97,6 @@ bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *par
 bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes, Value *value);
 /* A text that begins with '='. */
 bool resolve_is_formula(const Tree *tree);
-/* Lanes of a map's value as formulas read it, from those of the maps below it; 0 of a material. */
-int resolve_width(const Node *node);
-/* Steps over one another in an Expression's formula. */
-int resolve_formula_depth(const Node *node);
 
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
 bool resolve_is_name(const char *name);

@@ -4,24 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-Value resolve_default(Resolver *r, const ParamRow *row)
-{
-    static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3};
-    Value value = {.kind = VALUE_none};
-    if (!row->lanes)
-        return value;
-    value.kind = VALUE_number;
-    value.type = type_of_lanes[row->lanes];
-    memcpy(value.number, row->init, sizeof row->init);
-    if (row->type != PARAM_Map)
-        return value;
-    Value *constant = ARENA_NEW(r->session->arena, Value);
-    *constant = value;
-    Node *node = ARENA_NEW(r->session->arena, Node);
-    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = constant, .width = (int8_t)row->lanes};
-    return (Value){.kind = VALUE_node, .node = node};
-}
-
 static void put_number(Text *out, const ParamRow *row, double value)
 {
     if (row->type == PARAM_Int)

@@ -179,9 +179,11 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 #define DECLARE_SHADER(name) Ref lower_##name(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The material that a switch stands for, seen of one side; NULL: it is missing. */
 #define DECLARE_SWITCH(name)      const Node *lower_choose_##name(const Node *material, bool front);
+#define DECLARE_FOREIGN(name) /* none is left: compiler/front/resolve_translation.c */
 #define MATERIAL(name, sort, doc) DECLARE_##sort(name)
 #include "grammar/materials.def"
 #include "grammar/maps.def"
 #undef DECLARE_SHADER
 #undef DECLARE_SWITCH
+#undef DECLARE_FOREIGN
 #endif

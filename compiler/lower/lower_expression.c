@@ -39,11 +39,11 @@ static Ref quantity_at(Lower *l, const Node *input, Quantity quantity, const Env
 }
 
 /* A map's value in its lanes; one lane is the first, where its colour has more. */
-static Ref input_at(Lower *l, const Node *map, const Env *env)
+static Ref input_at(Lower *l, const Item *item, const Env *env)
 {
     Ir *ir = l->ir;
-    const int width = map ? map->width : 3;
-    Ref value = lower_ask(l, map, GROUP_R, env);
+    const int width = item->width ? item->width : item->input ? item->input->width : 3;
+    Ref value = lower_ask(l, item->input, GROUP_R, env);
     return width == 1 && ir_lanes(ir, value) > 1 ? build_swizzle(ir, value, "x")
                                                  : build_convert(ir, value, build_lanes_type(width));
 }
@@ -160,7 +160,7 @@ static void read_leaves(Lower *l, const Node *node, Reading *r, const Env *env)
             r->leaves.quantity[step->row] =
                 quantity_at(l, lower_param_node(node, P_Expression_input), (Quantity)step->row, env);
         if (r->read[i] && step->kind == FORMULA_input && !r->leaves.inputs[step->row])
-            r->leaves.inputs[step->row] = input_at(l, with->items->item[step->row].input, env);
+            r->leaves.inputs[step->row] = input_at(l, &with->items->item[step->row], env);
     }
 }
 

@@ -24,6 +24,7 @@ typedef const Node *LowerSwitch(const Node *material, bool front);
 
 #define SHADER_OF_SHADER(name) lower_##name
 #define SWITCH_OF_SHADER(name) NULL
+#define FOREIGN_OF_SHADER(name) NULL
 static LowerShader *const shaders[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SHADER(name),
 #include "grammar/materials.def"
@@ -32,6 +33,7 @@ static LowerShader *const shaders[KIND_COUNT] = {
 
 #define SHADER_OF_SWITCH(name) NULL
 #define SWITCH_OF_SWITCH(name) lower_choose_##name
+#define FOREIGN_OF_SWITCH(name) NULL
 static LowerSwitch *const switches[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SWITCH(name),
 #include "grammar/materials.def"

@@ -44,11 +44,11 @@ static void quantity_at(Environment *environment, const Node *node, Quantity qua
 }
 
 /* A number is in all lanes, as formula_value wants it. */
-static void input_at(Environment *environment, const Node *map, double result[4])
+static void input_at(Environment *environment, const Item *item, double result[4])
 {
-    const int width = map ? map->width : 3;
+    const int width = item->width ? item->width : item->input ? item->input->width : 3;
     for (int i = 0; i < width; i++)
-        result[i] = oracle_ask(environment, map, channel_id(GROUP_R, i));
+        result[i] = oracle_ask(environment, item->input, channel_id(GROUP_R, i));
     for (int i = 1; width == 1 && i < 4; i++)
         result[i] = result[0];
 }
@@ -87,7 +87,7 @@ static void value_of(Environment *environment, const Node *node, double result[4
         oracle_spend(environment, STEP_WORK + noise_work(f, step));
     }
     for (int i = 0; i < inputs; i++)
-        input_at(environment, with->items->item[i].input, values[f->count + (size_t)i]);
+        input_at(environment, &with->items->item[i], values[f->count + (size_t)i]);
     point.inputs = (const double(*)[4])(values + f->count);
     point.values = values;
     if (!oracle_spent(oracle))

@@ -13,6 +13,7 @@ typedef const Node *OracleSwitch(const Node *material, bool front);
 
 #define SHADER_OF_SHADER(name) oracle_##name
 #define SWITCH_OF_SHADER(name) NULL
+#define FOREIGN_OF_SHADER(name) NULL
 static OracleShader *const shaders[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SHADER(name),
 #include "grammar/materials.def"
@@ -21,6 +22,7 @@ static OracleShader *const shaders[KIND_COUNT] = {
 
 #define SHADER_OF_SWITCH(name) NULL
 #define SWITCH_OF_SWITCH(name) oracle_choose_##name
+#define FOREIGN_OF_SWITCH(name) NULL
 static OracleSwitch *const switches[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SWITCH(name),
 #include "grammar/materials.def"

@@ -166,7 +166,9 @@ static void put_kind(Text *out, Kind kind)
     const KindRow *row = &kind_table[kind];
     text_format(out, "\n### %s\n\n%s\n", row->name, row->doc);
     put_aliases(out, kind);
-    text_format(out, "\n```\n%s\n```\n", kind_table[kind].formula);
+    text_format(out, "\n```\n%s\n", kind_table[kind].formula);
+    describe_translations(out, kind, "");
+    text_put(out, "```\n");
     put_parameters(out, row);
     text_format(out, "\nAnswers: %s\n", kind_table[kind].answers);
     put_example(out, kind, row->name);

@@ -1,0 +1,142 @@
+/* Nodes of a Graph: one is numbered when all below it are, and knows how many lanes it has and how much hangs there. Defaults are nodes, too. */
+#include "compiler/formula/formula.h"
+#include "compiler/front/resolve.h"
+
+/* Steps over one another in an Expression's formula. */
+static int formula_depth(const Node *node)
+{
+    const Value *is = node_param(node, P_Expression_is);
+    return is->kind == VALUE_formula ? is->formula->depth : 0;
+}
+
+/* -- Lanes of maps */
+
+enum { SURFACE_WIDTH = 3 };
+
+static int width_of(const Value *map) { return map->kind == VALUE_node ? map->node->width : SURFACE_WIDTH; }
+
+/* What holds both lane by lane: a number stands for all, and two lanes are no colour. */
+static int joined(int a, int b) { return a + b == 3 ? 3 : a > b ? a : b; }
+
+static int items_width(const Value *blend, const Value *input)
+{
+    const Items *items = blend->kind == VALUE_items ? blend->items : NULL;
+    int width = 0;
+    for (int i = 0; items && i < items->count; i++) {
+        const Node *node = items->item[i].input;
+        const int own = node ? node->width : SURFACE_WIDTH;
+        width = i ? joined(width, own) : own;
+    }
+    return width ? width : width_of(input);
+}
+
+/* Lanes of a map's value as formulas read it, from those of the maps below it; 0 of a material. */
+static int width_of_node(const Node *node)
+{
+    switch (node->kind) {
+    case KIND_Constant:
+        return type_table[node->params->type].lanes;
+    case KIND_RGBColor:
+        return 3;
+    case KIND_Graytone:
+    case KIND_Carpenter:
+        return 1;
+    case KIND_ImageMap:
+        return node_param(node, P_ImageMap_channel)->kind == VALUE_number ? 1 : 3;
+    case KIND_Checker:
+        return joined(width_of(node_param(node, P_Checker_color1)), width_of(node_param(node, P_Checker_color2)));
+    case KIND_VolumeChecker:
+        return joined(width_of(node_param(node, P_VolumeChecker_color1)),
+                      width_of(node_param(node, P_VolumeChecker_color2)));
+    case KIND_Blend:
+        return items_width(node_param(node, P_Blend_blend), node_param(node, P_Blend_input));
+    case KIND_Expression:
+        return node_param(node, P_Expression_is)->kind == VALUE_formula
+                   ? node_param(node, P_Expression_is)->formula->width
+                   : 1;
+    default:
+        break;
+    }
+    if (kind_table[node->kind].lowering == LOWERING_MATERIAL)
+        return 0;
+    const Section section = section_of(node->kind);
+    return section == SECTION_volume || section == SECTION_dimensions ? 1 : width_of(&node->params[0]);
+}
+
+/* -- What hangs below */
+
+static void below(Node *node, const Node *child)
+{
+    if (!child)
+        return;
+    if (child->depth >= node->depth)
+        node->depth = child->depth + 1;
+    if (child->filters > node->filters)
+        node->filters = child->filters;
+    node->steps |= child->steps;
+}
+
+/* Measures what hangs below a node, and bounds it. */
+static bool measure(Resolver *r, Node *node)
+{
+    for (int i = 0; i < kind_table[node->kind].count; i++) {
+        const Value *value = &node->params[i];
+        if (value->kind == VALUE_node)
+            below(node, value->node);
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            below(node, value->items->item[k].input);
+    }
+    node->depth += node->kind == KIND_Expression ? formula_depth(node) : 0;
+    node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D;
+    node->steps |= kind_table[node->kind].step_lanes > 0;
+    if (node->depth > LIMIT_GRAPH_DEPTH)
+        diag_add(r->session, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
+    else if (node->filters > LIMIT_FILTERS)
+        diag_add(r->session, node->span, DIAG_too_many_filters, LIMIT_FILTERS);
+    else
+        return true;
+    return false;
+}
+
+const Node *resolve_make_node(Resolver *r, Node of)
+{
+    Node *node = ARENA_NEW(r->session->arena, Node);
+    *node = of;
+    node->index = r->node_count++;
+    node->owner = r->owner;
+    ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
+    node->width = (int8_t)width_of_node(node);
+    return measure(r, node) ? node : NULL;
+}
+
+const Node *resolve_make_constant(Resolver *r, Node of, Value number)
+{
+    Value *value = ARENA_NEW(r->session->arena, Value);
+    Node *node = ARENA_NEW(r->session->arena, Node);
+    *value = number;
+    *node = of;
+    node->kind = KIND_Constant;
+    node->index = r->node_count++;
+    node->params = value;
+    node->owner = r->owner;
+    node->width = (int8_t)width_of_node(node);
+    return node;
+}
+
+Value resolve_default(Resolver *r, const ParamRow *row)
+{
+    static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3};
+    Value value = {.kind = VALUE_none};
+    if (!row->lanes)
+        return value;
+    value.kind = VALUE_number;
+    value.type = type_of_lanes[row->lanes];
+    memcpy(value.number, row->init, sizeof row->init);
+    if (row->type != PARAM_Map)
+        return value;
+    Value *constant = ARENA_NEW(r->session->arena, Value);
+    *constant = value;
+    Node *node = ARENA_NEW(r->session->arena, Node);
+    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = constant, .width = (int8_t)row->lanes};
+    return (Value){.kind = VALUE_node, .node = node};
+}

@@ -1,0 +1,42 @@
+/* What the reference says of a document's slots, beside numbers that somebody published. */
+#ifndef TESTS_SLOT_VALUES_H
+#define TESTS_SLOT_VALUES_H
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compile_text.h"
+#include <math.h>
+
+static const double CLOSE = 1e-3; /* of published values */
+
+/* What the reference answers, with what was said while reading; `at` is a point. */
+static inline char *values_at(const char *text, const char *at, char **said)
+{
+    MatcOptions options = quick();
+    const char *fault;
+    MatcDocument *document = read_text(text, &options);
+    char *result = matc_eval(document, 0, at, &options, &fault);
+    if (!result)
+        fprintf(stderr, "%s\n%s", text, matc_diagnostics(document, MATC_TEXT));
+    assert_non_null(result);
+    if (said)
+        *said = strdup(matc_diagnostics(document, MATC_TEXT));
+    matc_document_free(document);
+    return result;
+}
+
+static inline void expect_slot(const char *values, const char *slot, const double *want, int lanes)
+{
+    char line[64];
+    double got[3] = {NAN, NAN, NAN};
+    snprintf(line, sizeof line, "\n%s ", slot);
+    const char *found = strstr(values, line);
+    assert_non_null(found);
+    assert_int_equal(sscanf(found + strlen(line), "%lf %lf %lf", &got[0], &got[1], &got[2]) >= lanes, 1);
+    for (int i = 0; i < lanes; i++)
+        if (!(fabs(got[i] - want[i]) <= CLOSE))
+            fail_msg("%s: got %g, want %g\n%s", slot, got[i], want[i], values);
+}
+#endif
