@@ -29,7 +29,7 @@ void main()
     vec3 normal = normalize(radianceNormal(radiance_texels[first].w));
     vec3 place = float(1 << radiance_shift) * radiancePlace(number * LISTS_STRIDE, radiance_size);
     vec3 start = voxelStart(place, normal);
-    uint seed = radiance_nodes[number * LISTS_STRIDE] & ~RADIANCE_BODY; // the voxel and its side: numbers of nodes are others each time
+    uint seed = radiance_nodes[number * LISTS_STRIDE] & RADIANCE_PLACE; // numbers of nodes are others each time
     for (int i = 0; i < RADIANCE_RAYS && even != vec3(0.0); i++) {
         float t = 0.0;
         vec3 way = bounceDirection(i, seed, normal);

@@ -15,6 +15,7 @@ uniform int radiance_size; // voxels along an edge
 uniform bool radiance_body; // it is of a body
 
 const uint RADIANCE_NEAREST = 0x3F800001u; // less the bits of a depth from 0 to 1: greater is nearer, and more than 0
+const uint RADIANCE_KEPT = 0x40000000u; // of a node's first word: its fragment is known
 
 void main()
 {
@@ -34,7 +35,9 @@ void main()
         return;
     }
     if (radiance_nodes[node + 1u] != nearness) return;
-    radiance_nodes[node] = voxel << 3 | uint(radiance_side) | uint(radiance_body) << 31;
+    // Of several at the same depth the first one: words of two would be no surface at all.
+    uint place = voxel << 3 | uint(radiance_side);
+    if (atomicCompSwap(radiance_nodes[node], place, place | RADIANCE_KEPT | uint(radiance_body) << 31) != place) return;
     uint packed_words[] = uint[](LISTS_PACK);
     for (int i = 0; i < packed_words.length(); i++) radiance_nodes[node + 2u + uint(i)] = packed_words[i];
 }
