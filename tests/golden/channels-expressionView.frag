@@ -56,7 +56,6 @@ float phongExponent(float x) {
 }
 
 // A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
