@@ -1,12 +1,14 @@
 /* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterised surfaces to the last bits; what memory a tile
- * may take; pictures in files, of every format, however they were drawn. */
+ * may take. `build/tests/test_tiles FILE...` prints by how much tiles of these scenes are off. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,9 +124,155 @@ static void tiles_fit_the_memory(void **state)
     frame_forget(scene, document);
 }
 
-int main(void)
+/* A picture that is wider than the driver's framebuffers is in tiles of one width, as high as if they were as wide as the picture. */
+static void tiles_share_the_width(void **state)
 {
+    (void)state;
+    MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene = frame_scene(IMAGE WALL "camera: { camera: Perspective, position: [0, -2, 0], target: [0, 0, 0] }\n",
+                               &options, &document);
+    GlContext *gl = frame_context();
+    RenderOptions asked = {.compile = &options, .view = "light", .no_shadows = true};
+    float *whole = frame_floats(gl, scene, &asked);
+    const int most = gl->max_texture_size;
+    gl->max_texture_size = 190;
+    Render *render = render_open(gl, &asked);
+    assert_true(render && render_scene(render, scene));
+    assert_int_equal(render_tile_width(render), WIDTH / 2);
+    assert_int_equal(render_tile_height(render), HEIGHT);
+    render_close(render);
+    float *parts = frame_tiles(gl, scene, &asked);
+    assert_memory_equal(whole, parts, (size_t)WIDTH * HEIGHT * 4 * sizeof *whole);
+    gl->max_texture_size = most;
+    free(parts);
+    free(whole);
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
+/* Sixteen times as many pixels take no more texels. */
+static void memory_does_not_grow(void **state)
+{
+    (void)state;
+    enum { MEMORY = 1 << 20, SMALL = 512, LARGE = 2048 };
+    MatcOptions options;
+    matc_options_init(&options);
+    options.pixels = true;
+    MatcDocument *document;
+    Scene *scene = frame_scene(IMAGE WALL, &options, &document);
+    GlContext *gl = frame_context();
+    long texels[2];
+    for (int k = 0; k < 2; k++) {
+        const int edge = k ? LARGE : SMALL;
+        frame_count_calls(gl);
+        Render *render = render_open(
+            gl, &(RenderOptions){.compile = &options, .width = edge, .height = edge, .memory = MEMORY});
+        assert_true(render && render_scene(render, scene) && render_frame(render));
+        assert_true(render_tile_width(render) * render_tile_height(render) * render_pixel_bytes(render) <= MEMORY);
+        texels[k] = frame_calls.texels;
+        render_close(render);
+        gl_close(gl); /* the counters stand in it */
+        gl = frame_context();
+    }
+    assert_true(texels[0] > SMALL * RENDER_TILE_LEAST && texels[1] <= texels[0]);
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
+/* -- scenes of the gallery, 200 pixels wide, in tiles of 34 rows */
+
+typedef struct {
+    double depth;   /* the greatest difference of a pixel's depth, in parts of it */
+    int pixels;     /* of the picture */
+    int moved;      /* pixels whose 8 bits differ */
+    int most_steps; /* of 8 bits, by which one does */
+} Seams;
+
+static void compare(const float *whole, const float *parts, bool depth, Seams *seams)
+{
+    for (int i = 0; i < seams->pixels; i++) {
+        int most = 0;
+        for (int lane = 0; lane < 3 && !depth; lane++) {
+            const int steps = abs((int)lrintf(whole[4 * i + lane] * 255) - (int)lrintf(parts[4 * i + lane] * 255));
+            most = steps > most ? steps : most;
+        }
+        if (depth && whole[4 * i] != parts[4 * i])
+            seams->depth = fmax(seams->depth, fabs(parts[4 * i] / (double)whole[4 * i] - 1));
+        seams->moved += most > 0;
+        seams->most_steps = most > seams->most_steps ? most : seams->most_steps;
+    }
+}
+
+static Scene *read_file(const char *name, const MatcOptions *options, MatcDocument **document)
+{
+    enum { MOST = 1 << 20 };
+    Scene *scene = NULL;
+    char *text = malloc(MOST);
+    FILE *file = fopen(name, "rb");
+    assert_true(text && file);
+    *document = scene_read(name, text, fread(text, 1, MOST, file), options, &scene);
+    assert_true(scene);
+    scene->height = scene->height * WIDTH / scene->width / 2 * 2;
+    scene->width = WIDTH;
+    fclose(file);
+    free(text);
+    return scene;
+}
+
+static Seams seams_of(GlContext *gl, const char *name)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.pixels = true;
+    MatcDocument *document;
+    Scene *scene = read_file(name, &options, &document);
+    Seams seams = {.pixels = scene->width * scene->height};
+    for (int view = 0; view < 2; view++) {
+        RenderOptions render = {.compile = &options, .view = view ? "shown" : "depth"};
+        float *whole = frame_floats(gl, scene, &render);
+        memcpy(render.tile, tiles[0], sizeof render.tile);
+        float *parts = frame_tiles(gl, scene, &render);
+        compare(whole, parts, !view, &seams);
+        free(parts);
+        free(whole);
+    }
+    frame_forget(scene, document);
+    return seams;
+}
+
+/* Solids of every kind under a sky, and glass in lists. */
+static void seams_of_the_gallery(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"examples/scenes/solids.yaml", "examples/scenes/nested.yaml"};
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const Seams seams = seams_of(gl, names[i]);
+        assert_true(seams.depth < 4e-6);
+        assert_true(seams.moved <= seams.pixels / 2000 && seams.most_steps <= 1);
+    }
+    gl_close(gl);
+}
+
+static int print_seams(char **names)
+{
+    GlContext *gl = frame_context();
+    printf("%-40s   depth  pixels that differ, by steps of 8 bits\n", "scene");
+    for (; *names; names++) {
+        const Seams seams = seams_of(gl, *names);
+        printf("%-40s %7.1e  %4d of %d, %d\n", *names, seams.depth, seams.moved, seams.pixels, seams.most_steps);
+    }
+    gl_close(gl);
+    return 0;
+}
+
+int main(int count, char **arguments)
+{
+    if (count > 1)
+        return print_seams(arguments + 1);
     const struct CMUnitTest tests[] = {cmocka_unit_test(rays_are_the_pictures), cmocka_unit_test(seams_are_rounding),
-                                       cmocka_unit_test(tiles_fit_the_memory)};
+                                       cmocka_unit_test(seams_of_the_gallery), cmocka_unit_test(tiles_fit_the_memory),
+                                       cmocka_unit_test(tiles_share_the_width), cmocka_unit_test(memory_does_not_grow)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

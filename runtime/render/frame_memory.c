@@ -43,6 +43,8 @@ void frame_memory_delete(Render *render)
 
 static int least(int a, int b) { return a < b ? a : b; }
 
+static int round_up(int a, int step) { return (a + step - 1) / step * step; }
+
 /* What stays together: blocks of 2 x 2, and the samples of a pixel. */
 static int step_of(const Render *render) { return render->samples % 2 ? 2 * render->samples : render->samples; }
 
@@ -58,13 +60,23 @@ static size_t rows_in_memory(const Render *render, int width)
     return memory / (across * (size_t)frame_all_bytes(render)) / down * down;
 }
 
-/* The samples of a tile: as many rows as there is memory for. */
+/* The samples of a tile's width: all, or, where the driver has less, an even share of them, so that no tile is all but empty. */
+static int find_width(const Render *render, int margin)
+{
+    const int whole = render->whole[0], step = step_of(render);
+    const int most = render->gl->max_texture_size / step * step - 2 * margin;
+    const int columns = (whole + most - 1) / most;
+    return columns > 1 ? round_up((whole + columns - 1) / columns, step) : whole;
+}
+
+/* The samples of a tile: as many rows as there is memory for, were these as wide as the picture, since a row of tiles is kept to be written. */
 static void find_tile(const Render *render, int margin, int tile[2])
 {
     const RenderOptions *options = &render->options;
     const int step = step_of(render), most = render->gl->max_texture_size / step * step - 2 * margin;
-    const int width = least(render->whole[0], most), beside = width + 2 * margin;
-    const int height = least(least(render->whole[1], most), light_far_rows(render, beside) - 2 * margin);
+    const int width = find_width(render, margin), beside = render->whole[0] + 2 * margin;
+    const int height =
+        least(least(render->whole[1], most), light_far_rows(render, width + 2 * margin) - 2 * margin);
     const size_t rows =
         render->plan.there & 1u << FRAME_TARGET_open ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
     const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;

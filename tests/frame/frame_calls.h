@@ -9,6 +9,7 @@ typedef struct {
     int drawn;    /* by instances */
     int programs; /* linked, and made current */
     long bytes;   /* written to buffers */
+    long texels;  /* of flat textures that were made, of all levels given */
 } FrameCalls;
 
 extern FrameCalls frame_calls;

@@ -26,7 +26,6 @@ vec3 safeNormalize(vec3 v) {
 }
 
 // A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }

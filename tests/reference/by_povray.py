@@ -10,6 +10,7 @@ import numpy
 import world
 
 LEVELS = 65535
+SCALES = [1 - .5 * (k * .618033988749895 % 1) for k in range(16)]  # of light, evenly from 1/2 to 1
 DEEP = 16  # a step behind five panes is one, too
 NEAR = 1e-4  # of a fading light: beyond it falls as 2 NEAR^2 / distance^2, within 1e-8 of it
 
@@ -76,8 +77,8 @@ def camera(seen, width, height):
         "orthographic" if seen.flat else "perspective", vector(seen.position), vector(right), vector(up), vector(-seen.axes[:, 2]))
 
 
-def picture(scenery, text):
-    """Height x width x 3, from the top; 16 bits of [0, 1]."""
+def levels(scenery, text):
+    """Height x width x 3, from the top; whole numbers, LEVELS of which are 1."""
     with tempfile.TemporaryDirectory() as folder:
         source, made = os.path.join(folder, "scene.pov"), os.path.join(folder, "scene.ppm")
         with open(source, "w") as file:
@@ -91,7 +92,25 @@ def picture(scenery, text):
         with open(made, "rb") as file:
             data = file.read()
     texels = numpy.frombuffer(data[-6 * scenery.width * scenery.height:], ">u2")
-    return texels.reshape(scenery.height, scenery.width, 3) / LEVELS
+    return texels.reshape(scenery.height, scenery.width, 3)
+
+
+def picture(scenery, text):
+    """Rounded once: of numbers, of which nothing is compared but where they step."""
+    return levels(scenery, text) / LEVELS
+
+
+def light_picture(scenery, text):
+    """Light to some 20 bits. text(s) has all light s times as bright, so light v is rounded to n with |n - LEVELS s v| <= 1/2: each s tells an interval
+    of v, and all of them together a short one. In levels: v = 16383.75 is within 16383.5 and 16384.5 by s = 1, within 16382.6 and 16383.8 by
+    s = 0.809, and so within 16383.5 and 16383.8."""
+    least, most = -numpy.inf, numpy.inf
+    for scale in SCALES:
+        level = levels(scenery, text(scale))
+        least, most = numpy.maximum(least, (level - .5) / scale), numpy.minimum(most, (level + .5) / scale)
+    if (least - most).max() > .02:
+        raise RuntimeError("light is not proportional to the lights: off by %g steps" % (least - most).max())
+    return (least + most) / 2 / LEVELS
 
 
 def matt(lanes, more=""):
@@ -131,27 +150,31 @@ def facing(scenery):
 
 def shaded(scenery, source, shadow):
     """diffuse cosine + specular cosine lobe, by three pictures; the lobe's light doesn't fade and has no colour. Panes have no lobe."""
+    def lit(source, scale):
+        return light(dict(source, light=scale * numpy.asarray(source["light"])))
     if scenery.clear:
-        return picture(scenery, objects(scenery, lambda number, material: pane(material)) + light(source))
+        return light_picture(scenery, lambda scale: objects(scenery, lambda number, material: pane(material)) + lit(source, scale))
 
     def answer(slot):
         text = objects(scenery, lambda number, material: matt(world.slot(material, slot)), shadow)
-        return picture(scenery, text + light(source))
+        return light_picture(scenery, lambda scale: text + lit(source, scale))
 
     def lobe(number, material):
         return "pigment { rgb 0 } finish { ambient 0 diffuse 0 phong 1 phong_size %.17g }" % world.exponent(material)
-    bulb = "light_source { %s, rgb 1 }\n" % vector(source.get("position", (0, 0, 0)))
-    if source["kind"] == "Directional":
-        bulb = light(dict(source, light=numpy.ones(3)))
-    return answer("diffuse") + answer("specular") * picture(scenery, objects(scenery, lobe) + bulb)
+
+    def bulb(scale):
+        if source["kind"] == "Directional":
+            return light(dict(source, light=numpy.full(3, scale)))
+        return "light_source { %s, rgb %.17g }\n" % (vector(source.get("position", (0, 0, 0))), scale)
+    return answer("diffuse") + answer("specular") * light_picture(scenery, lambda scale: objects(scenery, lobe) + bulb(scale))
 
 
 def render(scenery, shadows):
     """Light, and pictures whose steps are edges."""
     numbers = numbered(scenery)
     ambient = sum((source["light"] for source in scenery.lights if source["kind"] == "Ambient"), numpy.zeros(3))
-    lights, steps = 0. if scenery.clear else picture(scenery, objects(scenery, lambda number, material: shining(
-        world.slot(material, "emissive") + world.slot(material, "ambient") * ambient))), [numbers] + facing(scenery)
+    lights, steps = 0. if scenery.clear else light_picture(scenery, lambda scale: objects(scenery, lambda number, material: shining(
+        scale * (world.slot(material, "emissive") + world.slot(material, "ambient") * ambient)))), [numbers] + facing(scenery)
     if scenery.clear:
         steps = [DEEP * step for step in steps]
     for source in scenery.lights:
