@@ -10,22 +10,26 @@
 
 /* Bounds are half again of what llvmpipe draws; exact shadows are off by pixels whose points a rasteriser and
  * a ray have on other triangles, and where the dragon has holes: what looks away from the light there is taken to be dark. */
+enum { PIXELS = 768 }; /* of 320 a dozen wrong ones would be the figure */
 typedef struct {
     const char *mesh, *method;
     Word volume;
     double most[SHADOW_ENDS_RECEIVERS]; /* texels */
 } Case;
 
-static void ends_of(const ShadowPair *pair, const Case *c)
+/* How many of them are farther off than they may be. */
+static int ends_of(const ShadowPair *pair, const Case *c)
 {
     Shape shape = meshes_read(c->mesh);
+    int far = 0;
     for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
-        const ShadowEnds ends = {&shape, c->method, (ShadowEndsReceiver)i, true, c->volume};
+        const ShadowEnds ends = {&shape, c->method, (ShadowEndsReceiver)i, true, c->volume, PIXELS};
         const double distance = shadow_ends_distance(pair, &ends);
         print_message("%-12s %-10s on %-11s %.4f texels off\n", c->mesh, c->method, shadow_ends_receivers[i], distance);
-        assert_true(distance <= c->most[i]);
+        far += !(distance <= c->most[i]);
     }
     shape_free(&shape);
+    return far;
 }
 
 /* The argument: exact shadows of this mesh alone are looked at, as the largest takes a minute. */
@@ -35,10 +39,10 @@ static void ends_are_true(void **state)
 {
     (void)state;
     static const Case cases[] = {{"bunny", "exact", 0, {.005, .006, .003, .002}},
-                                 {"bunny", "silhouette", 0, {.01, .055, .02, .045}},
-                                 {"bunny", "hybrid", WORD_Volume_silhouette, {.04, .09, .03, .09}},
+                                 {"bunny", "silhouette", 0, {.017, .045, .026, .025}},
+                                 {"bunny", "hybrid", WORD_Volume_silhouette, {.04, .09, .048, .066}},
                                  {"dragon-small", "exact", 0, {.002, .03, .003, .003}},
-                                 {"dragon-small", "silhouette", 0, {.012, .12, .045, .035}}};
+                                 {"dragon-small", "silhouette", 0, {.02, .06, .043, .03}}};
     const Case one = {alone, "exact", 0, {.005, .03, .005, .005}};
     const Case *const of = alone ? &one : cases;
     const size_t count = alone ? 1 : sizeof cases / sizeof *cases;
@@ -48,9 +52,11 @@ static void ends_are_true(void **state)
         shape_free(&shape);
     }
     shadow_pair_open(GL_KIND_osmesa, &pair);
+    int far = 0;
     for (size_t i = 0; i < count; i++)
-        ends_of(&pair, &of[i]);
+        far += ends_of(&pair, &of[i]);
     shadow_pair_close(&pair);
+    assert_int_equal(far, 0);
 }
 
 int main(int count, char **arguments)

@@ -33,8 +33,8 @@ static void ends_are_true(void **state)
     shadow_pair_open(GL_KIND_osmesa, &pair);
     for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
         const ShadowEndsReceiver receiver = (ShadowEndsReceiver)i;
-        const double distance = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, false, 0});
-        const double all = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, true, 0});
+        const double distance = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, false, 0, 0});
+        const double all = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, true, 0, 0});
         print_message("ends on %s: %.4f texels off; %.4f with triangles that look away\n", shadow_ends_receivers[i],
                       distance, all);
         assert_true(distance <= .01 && all <= .02);

@@ -83,7 +83,7 @@ static void ends_are_near(void **state)
     Shape knot = shadow_knot();
     shadow_pair_open(GL_KIND_osmesa, &pair);
     for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
-        ShadowEnds ends = {&knot, "hybrid", (ShadowEndsReceiver)i, false, WORD_Volume_plain};
+        ShadowEnds ends = {&knot, "hybrid", (ShadowEndsReceiver)i, false, WORD_Volume_plain, 0};
         const double plain = shadow_ends_distance(&pair, &ends);
         ends.volume = WORD_Volume_silhouette;
         const double cut = shadow_ends_distance(&pair, &ends);

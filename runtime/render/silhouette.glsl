@@ -5,8 +5,8 @@
 // free if one of its centres is. So neither a slope nor a surface that bends towards the light shades itself. If some centres are covered, a line through the
 // cell parts them from the others, from crossing to crossing.
 //
-// The bias, across the plane, in texels: what the rasteriser's 1/256 makes of both surfaces' places, and what the normal may be off, times the way from the
-// point to a centre.
+// The bias is a texel along the light, but across the plane 1/16 to 1/4 texel: so much the triangles around may bend towards the light before they shade the
+// point. To this comes what the normal may be off, times the way from the point to a centre.
 //
 // A cell between four centres: where that line runs, as marching squares have it.
 //
@@ -41,7 +41,8 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
 }
 
 #ifdef SHADOW_SILHOUETTES // behind shadow.glsl
-const float SILHOUETTE_LIFT = 1.0 / 16.0, SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
+const float SILHOUETTE_LEAST = 1.0 / 16.0, SILHOUETTE_MOST = 1.0 / 4.0; // of the bias across the plane, in texels
+const float SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
 // What a view shows of a point: its place there, and how depth changes from texel to texel on its plane.
 struct SilhouettePlace {
@@ -74,7 +75,8 @@ vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
 {
     vec4 x = vec4(0.0, 1.0, 1.0, 0.0) - part.x, y = vec4(1.0, 1.0, 0.0, 0.0) - part.y;
     float steep = length(place.slope) / place.texel, square = 1.0 + steep * steep;
-    vec4 bias = (SILHOUETTE_LIFT + pixel / 64.0) * sqrt(square) + min(SILHOUETTE_TILT * square, max(steep, 0.25)) * sqrt(x * x + y * y);
+    float lift = clamp(inversesqrt(square), SILHOUETTE_LEAST, SILHOUETTE_MOST) + pixel / 64.0; // along the light 1, between both
+    vec4 bias = lift * sqrt(square) + min(SILHOUETTE_TILT * square, max(steep, 0.25)) * sqrt(x * x + y * y);
     vec4 off = depths - place.depth - place.slope.x * x - place.slope.y * y;
     return max(vec4(lessThanEqual(off, bias * place.texel)), vec4(equal(depths, vec4(0.0)))); // 0: there is nothing
 }

@@ -105,6 +105,8 @@ double shadow_ends_distance(const ShadowPair *pair, const ShadowEnds *ends)
     scene->mesh_count = 1;
     if (ends->volume)
         scene->shadow_volume = ends->volume;
+    if (ends->pixels)
+        scene->width = scene->height = ends->pixels;
     for (int i = 0; i < documents[ends->receiver].casters; i++) {
         scene->objects[i].kind = SCENE_Mesh;
         scene->objects[i].mesh = 0;
