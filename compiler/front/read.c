@@ -2,10 +2,10 @@
 #include "compiler/front/read.h"
 #include <string.h>
 
-static bool is_json_name(const char *name)
+static bool ends_in(const char *name, const char *ending)
 {
-    size_t size = strlen(name);
-    return size > 5 && !strcmp(name + size - 5, ".json");
+    const size_t size = strlen(name), end = strlen(ending);
+    return size > end && !strcmp(name + size - end, ending);
 }
 
 static bool check_utf8(const TreeBuilder *b, const Source *source)
@@ -33,7 +33,9 @@ Tree *read_document(Session *session, uint32_t file)
         builder.start = 3;
     if (!check_utf8(&builder, source))
         return NULL;
-    Tree *tree = is_json_name(source->name) ? read_json(&builder) : read_yaml(&builder);
+    Tree *tree = ends_in(source->name, ".gltf")   ? read_gltf(&builder)
+                 : ends_in(source->name, ".json") ? read_json(&builder)
+                                                  : read_yaml(&builder);
     tree_build_done(&builder);
     if (tree && builder.zero.end)
         diag_add(session, builder.zero, DIAG_zero_byte);

@@ -6,4 +6,6 @@
 Tree *read_yaml(TreeBuilder *b);
 /* Strict JSON, RFC 8259. */
 Tree *read_json(TreeBuilder *b);
+/* The materials of a glTF file, as a document. */
+Tree *read_gltf(TreeBuilder *b);
 #endif

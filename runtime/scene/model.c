@@ -3,6 +3,7 @@
 #include "runtime/scene/model.h"
 #include "compiler/base/text.h"
 #include "runtime/gl/message.h"
+#include "runtime/scene/model_divide.h"
 #include "runtime/scene/model_import.h"
 #include <errno.h>
 #include <signal.h>
@@ -21,10 +22,10 @@ enum { HAS_MEMORY_LIMIT = 1 };
 
 enum { MESSAGE = 1024, BROKEN = 3 };
 
-/* What goes through the pipe first; then vertices, then indices. */
+/* What goes through the pipe first; then vertices, indices, runs. */
 typedef struct {
     bool done, has_normals, has_coordinates;
-    int vertex_count, index_count;
+    int vertex_count, index_count, run_count;
     char error[MESSAGE];
 } Head;
 
@@ -90,15 +91,29 @@ static _Noreturn void import_and_send(const char *path, int pipe)
     head.has_coordinates = parts.has_coordinates;
     head.vertex_count = parts.shape.vertex_count;
     head.index_count = parts.shape.index_count;
+    head.run_count = parts.run_count;
     bool sent = send_all(pipe, &head, sizeof head);
     if (sent && head.done)
         sent = send_all(pipe, parts.shape.vertices, (size_t)head.vertex_count * sizeof *parts.shape.vertices) &&
-               send_all(pipe, parts.shape.indices, (size_t)head.index_count * sizeof *parts.shape.indices);
+               send_all(pipe, parts.shape.indices, (size_t)head.index_count * sizeof *parts.shape.indices) &&
+               send_all(pipe, parts.runs, (size_t)head.run_count * sizeof *parts.runs);
     _exit(sent ? 0 : BROKEN);
 }
 
+/* Runs go over all triangles, each once. */
+static bool are_whole(const ModelRun *runs, const Head *head)
+{
+    int64_t indices = 0;
+    for (int i = 0; i < head->run_count; i++) {
+        if (runs[i].index_count < 0 || runs[i].material < 0)
+            return false;
+        indices += runs[i].index_count;
+    }
+    return indices == head->index_count;
+}
+
 /* What the other process says; false: it said it not, or not to its end. */
-static bool receive(int pipe, Head *head, Shape *shape)
+static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
 {
     if (!receive_all(pipe, head, sizeof *head))
         return false;
@@ -106,37 +121,47 @@ static bool receive(int pipe, Head *head, Shape *shape)
     if (!head->done)
         return true;
     if (head->vertex_count < 0 || head->vertex_count > MODEL_VERTICES || head->index_count < 0 ||
-        head->index_count > MODEL_INDICES)
+        head->index_count > MODEL_INDICES || head->run_count < 0 || head->run_count > MODEL_RUNS)
         return false;
-    *shape =
-        (Shape){calloc((size_t)head->vertex_count + 1, sizeof *shape->vertices),
-                calloc((size_t)head->index_count + 1, sizeof *shape->indices), head->vertex_count, head->index_count, NULL};
-    if (!shape->vertices || !shape->indices)
+    *runs = calloc((size_t)head->run_count + 1, sizeof **runs);
+    *shape = (Shape){calloc((size_t)head->vertex_count + 1, sizeof *shape->vertices),
+                     calloc((size_t)head->index_count + 1, sizeof *shape->indices), head->vertex_count,
+                     head->index_count, NULL};
+    if (!shape->vertices || !shape->indices || !*runs)
         abort();
     return receive_all(pipe, shape->vertices, (size_t)head->vertex_count * sizeof *shape->vertices) &&
-           receive_all(pipe, shape->indices, (size_t)head->index_count * sizeof *shape->indices);
+           receive_all(pipe, shape->indices, (size_t)head->index_count * sizeof *shape->indices) &&
+           receive_all(pipe, *runs, (size_t)head->run_count * sizeof **runs) && are_whole(*runs, head);
 }
 
+/* What comes of reading a file, and what it is read into. */
+typedef struct {
+    Shape shape;
+    ModelRun *runs;
+    char *error;
+    size_t room;
+} Import;
+
 /* The file's triangles; `head` tells what they have. */
-static bool import_apart(const char *path, Head *head, Shape *shape, char *error, size_t room)
+static bool import_apart(const char *path, Head *head, Import *to)
 {
     int ends[2], status = 0;
     if (pipe(ends))
-        return message_fail(error, room, "%s", text_error(errno));
+        return message_fail(to->error, to->room, "%s", text_error(errno));
     const pid_t child = fork();
     if (!child) {
         close(ends[0]);
         import_and_send(path, ends[1]);
     }
     close(ends[1]);
-    bool whole = child > 0 && receive(ends[0], head, shape);
+    bool whole = child > 0 && receive(ends[0], head, &to->shape, &to->runs);
     close(ends[0]);
     while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;
     if (!whole)
-        return message_fail(error, room,
+        return message_fail(to->error, to->room,
                             "reading it took too much time or memory, or broke off: the file is damaged, or too large");
-    return head->done || message_fail(error, room, "%s", head->error);
+    return head->done || message_fail(to->error, to->room, "%s", head->error);
 }
 
 /* y up, and z to the viewer, becomes z up. */
@@ -167,29 +192,50 @@ static bool is_readable(const char *path, char *error, size_t room)
 
 typedef const char *Complete(Shape *shape, bool has_normals, bool has_coordinates);
 
-static bool read_and_complete(const char *path, Complete *complete, Shape *made, char *error, size_t room)
+static bool read_and_complete(const char *path, Complete *complete, Head *head, Import *to)
+{
+    if (!is_readable(path, to->error, to->room))
+        return false;
+    bool done = import_apart(path, head, to);
+    if (done && endings[find_ending(path)].y_up)
+        turn(&to->shape);
+    const char *fault = done ? complete(&to->shape, head->has_normals, head->has_coordinates) : NULL;
+    if (fault)
+        done = message_fail(to->error, to->room, "%s", fault);
+    if (!done)
+        shape_free(&to->shape);
+    return done;
+}
+
+static bool read_whole(const char *path, Complete *complete, Shape *made, Import *to)
 {
     Head head = {0};
-    *made = (Shape){0};
-    if (!is_readable(path, error, room))
-        return false;
-    bool done = import_apart(path, &head, made, error, room);
-    if (done && endings[find_ending(path)].y_up)
-        turn(made);
-    const char *fault = done ? complete(made, head.has_normals, head.has_coordinates) : NULL;
-    if (fault)
-        done = message_fail(error, room, "%s", fault);
-    if (!done)
-        shape_free(made);
+    const bool done = read_and_complete(path, complete, &head, to);
+    free(to->runs);
+    *made = to->shape;
     return done;
 }
 
 bool model_read(const char *path, Shape *made, char *error, size_t room)
 {
-    return read_and_complete(path, model_complete, made, error, room);
+    return read_whole(path, model_complete, made, &(Import){.error = error, .room = room});
 }
 
 bool model_read_in_place(const char *path, Shape *made, char *error, size_t room)
 {
-    return read_and_complete(path, model_complete_in_place, made, error, room);
+    return read_whole(path, model_complete_in_place, made, &(Import){.error = error, .room = room});
+}
+
+bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t room)
+{
+    Head head = {0};
+    Import import = {.error = error, .room = room};
+    *count = 0;
+    *made = NULL;
+    bool done = read_and_complete(path, model_complete_in_place, &head, &import);
+    if (done && !model_divide(&import.shape, import.runs, head.run_count, made, count))
+        done = message_fail(error, room, "out of memory");
+    shape_free(&import.shape);
+    free(import.runs);
+    return done;
 }

@@ -9,9 +9,17 @@ enum {
     MODEL_FILE_MIB = 256,
     MODEL_VERTICES = 1 << 22,
     MODEL_INDICES = 1 << 24,
+    MODEL_RUNS = 1 << 20,
+    MODEL_NO_MATERIAL = INT32_MAX,
     MODEL_SECONDS = 30,     /* of reading */
     MODEL_MEMORY_MIB = 4096 /* for reading */
 };
+
+/* Triangles one after the other that have one material. */
+typedef struct {
+    int material;    /* as the file counts them; MODEL_NO_MATERIAL: a glTF's that have none */
+    int index_count; /* three for each triangle */
+} ModelRun;
 
 /* Reads an OBJ, glTF 2 (.gltf, .glb) or PLY file: all its triangles, turned so that z is up (OBJ and glTF have y up), moved and scaled until
  * the corners of its bounding box are at most 1 from the origin. Normals that are missing become those of the faces, smoothed; texture coordinates
@@ -21,6 +29,13 @@ bool model_read(const char *path, Shape *made, char *error, size_t room);
 
 /* The same where it stands, in its own size, for scenes. */
 bool model_read_in_place(const char *path, Shape *made, char *error, size_t room);
+
+/* The same, a shape for each material that triangles have, in the order of the file's materials: *made has *count of them, from malloc. */
+typedef struct {
+    int material;
+    Shape shape;
+} ModelPart;
+bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t room);
 
 /* Adds the files beside itself that a mesh's file is made of: a .gltf's buffers, whether they are there or not. */
 void model_files(const char *path, WatchList *files);

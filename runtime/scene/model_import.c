@@ -1,7 +1,7 @@
 /* Assimp's scene as one list of triangles. */
 #include "runtime/scene/model_import.h"
 #include "runtime/gl/message.h"
-#include "runtime/scene/model.h"
+#include "runtime/scene/model_number.h"
 #include "runtime/scene/model_open.h"
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +16,7 @@ bool model_import(const char *path, ModelParts *parts, char *error, size_t room)
 }
 #else
 #include <assimp/cimport.h>
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -54,9 +55,20 @@ static void add_vertices(const struct aiMesh *mesh, ModelParts *parts)
     parts->has_coordinates &= mesh->mTextureCoords[0] != NULL;
 }
 
-static void add_mesh(const struct aiMesh *mesh, ModelParts *parts)
+/* Of a mesh; names of a glTF's are numbers (model_number.h). */
+static int material_of(const struct aiScene *scene, const struct aiMesh *mesh)
+{
+    struct aiString name = {0};
+    if (mesh->mMaterialIndex >= scene->mNumMaterials)
+        return MODEL_NO_MATERIAL;
+    aiGetMaterialString(scene->mMaterials[mesh->mMaterialIndex], AI_MATKEY_NAME, &name);
+    return model_material_number(name.data);
+}
+
+static void add_mesh(const struct aiMesh *mesh, int material, ModelParts *parts)
 {
     const uint32_t first = (uint32_t)parts->shape.vertex_count;
+    const int before = parts->shape.index_count;
     add_vertices(mesh, parts);
     for (unsigned f = 0; f < mesh->mNumFaces; f++)
         for (unsigned k = 0; k < 3 && mesh->mFaces[f].mNumIndices == 3; k++) {
@@ -64,6 +76,7 @@ static void add_mesh(const struct aiMesh *mesh, ModelParts *parts)
             const unsigned index = mesh->mFaces[f].mIndices[k];
             parts->shape.indices[parts->shape.index_count++] = index < mesh->mNumVertices ? first + index : UINT32_MAX;
         }
+    parts->runs[parts->run_count++] = (ModelRun){material, parts->shape.index_count - before};
 }
 
 static bool take(const struct aiScene *scene, ModelParts *parts, char *error, size_t room)
@@ -76,11 +89,12 @@ static bool take(const struct aiScene *scene, ModelParts *parts, char *error, si
     *parts = (ModelParts){.has_normals = true, .has_coordinates = true};
     parts->shape.vertices = calloc(vertices + 1, sizeof *parts->shape.vertices);
     parts->shape.indices = calloc(indices + 1, sizeof *parts->shape.indices);
-    if (!parts->shape.vertices || !parts->shape.indices)
+    parts->runs = calloc((size_t)scene->mNumMeshes + 1, sizeof *parts->runs);
+    if (!parts->shape.vertices || !parts->shape.indices || !parts->runs)
         return message_fail(error, room, "out of memory");
     for (unsigned m = 0; m < scene->mNumMeshes; m++)
         if (has_triangles(scene->mMeshes[m]))
-            add_mesh(scene->mMeshes[m], parts);
+            add_mesh(scene->mMeshes[m], material_of(scene, scene->mMeshes[m]), parts);
     return true;
 }
 

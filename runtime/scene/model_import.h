@@ -1,12 +1,14 @@
 /* The part of a mesh's reading that is not ours: assimp's, which has to run where it can do no harm. */
 #ifndef MATC_VIEW_MODEL_IMPORT_H
 #define MATC_VIEW_MODEL_IMPORT_H
-#include "runtime/gl/shape.h"
+#include "runtime/scene/model.h"
 #include <stddef.h>
 
 /* What a file has, as it stands in it; vertices without tangents. */
 typedef struct {
     Shape shape;
+    ModelRun *runs;
+    int run_count;
     bool has_normals, has_coordinates;
 } ModelParts;
 

@@ -1,17 +1,20 @@
 /* The files that assimp opens: that of the mesh, and those that it names. */
 #include "runtime/scene/model_open.h"
 #ifdef MATC_ASSIMP
-#include "runtime/scene/model.h"
+#include "compiler/base/text.h"
+#include "runtime/scene/model_number.h"
 #include <assimp/cfileio.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 typedef struct {
     struct aiFile calls; /* first: what assimp holds is the whole */
     FILE *file;
+    char *text; /* that it is of; NULL: it is of a file */
     size_t size;
 } ModelFile;
 
@@ -57,6 +60,24 @@ static FILE *open_file(const char *path, size_t *size)
     return file;
 }
 
+/* In place of a .gltf its text with numbered materials. */
+static void number_materials(ModelFile *opened)
+{
+    char *text = malloc(opened->size + 1);
+    if (!text)
+        abort();
+    const size_t size = fread(text, 1, opened->size, opened->file);
+    opened->text = model_number_materials(text, size);
+    free(text);
+    rewind(opened->file);
+    FILE *file = opened->text ? fmemopen(opened->text, strlen(opened->text), "rb") : NULL;
+    if (!file)
+        return;
+    fclose(opened->file);
+    opened->file = file;
+    opened->size = strlen(opened->text);
+}
+
 static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, const char *mode)
 {
     (void)files, (void)mode;
@@ -65,8 +86,12 @@ static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, 
         abort();
     opened->calls = (struct aiFile){read_some, write_nothing, tell, size_of, seek, flush_nothing, NULL};
     opened->file = open_file(path, &opened->size);
-    if (opened->file)
+    if (opened->file) {
+        const char *dot = strrchr(path, '.');
+        if (dot && text_same(dot, ".gltf"))
+            number_materials(opened);
         return &opened->calls;
+    }
     free(opened);
     return NULL;
 }
@@ -75,6 +100,7 @@ static void close_model_file(struct aiFileIO *files, struct aiFile *opened)
 {
     (void)files;
     fclose(file_of(opened));
+    free(((ModelFile *)opened)->text);
     free(opened);
 }
 

@@ -30,6 +30,7 @@ typedef struct {
 typedef struct {
     const char *path;
     Shape shape;
+    int part; /* the file's material whose triangles these are; -1: all triangles of the file */
 } SceneMesh;
 
 typedef struct {

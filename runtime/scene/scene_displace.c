@@ -163,7 +163,7 @@ static bool displace(Maker *k, int number)
         if (!make_shape(k, object, &by->bases[number], &shape))
             return false;
         mesh = vacant_mesh(by);
-        k->scene->meshes[mesh] = (SceneMesh){"", shape};
+        k->scene->meshes[mesh] = (SceneMesh){"", shape, -1};
         k->scene->mesh_count = mesh < k->scene->mesh_count ? k->scene->mesh_count : mesh + 1;
         by->keys[mesh] = key;
         hash_index_add(NULL, &k->index, (uint32_t)key.low, (uint32_t)mesh);

@@ -129,20 +129,31 @@ static int find_material(SceneReader *r, const MatcDocument *document, const Tre
     return index;
 }
 
+/* A document without faults; NULL: told. */
+static MatcDocument *sound_document(SceneReader *r, const Tree *path)
+{
+    MatcDocument *document = open_document(r, path);
+    if (!document || !matc_error_count(document))
+        return document;
+    return diag_add(r->session, path->span, DIAG_cannot_read, path->text, first_fault(r, document));
+}
+
 static int read_file(SceneReader *r, const Tree *tree)
 {
     if (!is_of_file(r, tree))
         return fail(r);
     const Tree *path = tree_find(tree, "file")->value;
-    MatcDocument *document = open_document(r, path);
-    if (!document)
-        return fail(r);
-    if (matc_error_count(document)) {
-        diag_add(r->session, path->span, DIAG_cannot_read, path->text, first_fault(r, document));
-        return fail(r);
-    }
-    const int index = find_material(r, document, path, tree_find(tree, "material"));
+    MatcDocument *document = sound_document(r, path);
+    const int index = document ? find_material(r, document, path, tree_find(tree, "material")) : -1;
     return index < 0 ? fail(r) : use(r, document, index);
+}
+
+/* What stands without a material in the file has its last, `default`. */
+int scene_material_read_of(SceneReader *r, const Tree *path, int number)
+{
+    MatcDocument *document = sound_document(r, path);
+    const int last = document ? matc_material_count(document) - 1 : -1;
+    return last < 0 ? fail(r) : use(r, document, number < last ? number : last);
 }
 
 int scene_material_read(SceneReader *r, Tree *tree)

@@ -125,25 +125,67 @@ static bool add_plane(SceneReader *r, const SceneThing *thing)
     return r->fine = false;
 }
 
-static bool add_object(SceneReader *r, const SceneThing *thing, const Around *around)
+static bool fault_many(SceneReader *r, Span span)
+{
+    diag_add(r->session, span, DIAG_too_many_objects, SCENE_OBJECTS);
+    return r->fine = false;
+}
+
+/* Whether there is room for one more; it is told once that there is none. */
+static bool count_thing(SceneReader *r, Span span)
+{
+    if (r->things > SCENE_OBJECTS)
+        return false;
+    return ++r->things <= SCENE_OBJECTS || fault_many(r, span);
+}
+
+static bool push_object(SceneReader *r, const SceneThing *thing, SceneObject object)
 {
     Scene *scene = r->scene;
-    SceneObject object = {.kind = thing->kind, .world_from_local = around->world_from_group};
-    read_numbers(thing, &object);
-    object.material = around->material;
-    if (!check_matrix(r, thing, &object) || !check_parallelogram(r, thing, &object) ||
-        !find_mesh(r, thing, &object.mesh))
-        return false;
     if (!scene_triangles_add(r, thing, &object))
-        return false;
-    if (object.material < 0)
-        return scene_thing_given(thing, rows[thing->kind].material) ? r->fine : fault_missing(r, thing, "material");
-    if (thing->kind == SCENE_Plane && !r->aside && !add_plane(r, thing))
         return false;
     size_t count = (size_t)scene->object_count;
     ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
     scene->object_count = (int)count;
     return true;
+}
+
+/* A mesh of a file with materials, which nothing around it and not the document gives one: an object for each. */
+static bool is_in_parts(const SceneThing *thing, int material)
+{
+    const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
+    const char *dot = file && file->kind == TREE_scalar ? strrchr(file->text, '.') : NULL;
+    return dot && !strcmp(dot, ".gltf") && material < 0 && !scene_thing_given(thing, S_Mesh_material);
+}
+
+static bool add_parts(SceneReader *r, const SceneThing *thing, SceneObject object)
+{
+    const Tree *file = scene_thing_given(thing, S_Mesh_file);
+    int first;
+    const int count = scene_mesh_read_parts(r, file, &first);
+    for (int i = first; i < first + count; i++) {
+        object.mesh = i;
+        object.material = scene_material_read_of(r, file, r->scene->meshes[i].part);
+        if (object.material < 0 || (i > first && !count_thing(r, thing->tree->span)) || !push_object(r, thing, object))
+            return false;
+    }
+    return count >= 0;
+}
+
+static bool add_object(SceneReader *r, const SceneThing *thing, const Around *around)
+{
+    SceneObject object = {.kind = thing->kind, .world_from_local = around->world_from_group};
+    read_numbers(thing, &object);
+    object.material = around->material;
+    if (!check_matrix(r, thing, &object) || !check_parallelogram(r, thing, &object))
+        return false;
+    if (is_in_parts(thing, object.material))
+        return add_parts(r, thing, object);
+    if (!find_mesh(r, thing, &object.mesh))
+        return false;
+    if (object.material < 0)
+        return scene_thing_given(thing, rows[thing->kind].material) ? r->fine : fault_missing(r, thing, "material");
+    return (thing->kind != SCENE_Plane || r->aside || add_plane(r, thing)) && push_object(r, thing, object);
 }
 
 static void read_list(SceneReader *r, const Tree *list, const Around *around);
@@ -172,20 +214,6 @@ static void read_object(SceneReader *r, Tree *tree, const Around *around)
         tree->failed = !add_object(r, &thing, &here);
     else if (scene_thing_given(&thing, S_Group_objects))
         read_list(r, scene_thing_given(&thing, S_Group_objects), &here);
-}
-
-static bool fault_many(SceneReader *r, Span span)
-{
-    diag_add(r->session, span, DIAG_too_many_objects, SCENE_OBJECTS);
-    return r->fine = false;
-}
-
-/* Whether there is room for one more; it is told once that there is none. */
-static bool count_thing(SceneReader *r, Span span)
-{
-    if (r->things > SCENE_OBJECTS)
-        return false;
-    return ++r->things <= SCENE_OBJECTS || fault_many(r, span);
 }
 
 /* An alias may stand for a list any number of times, in lists that are aliases: what is met is counted. */

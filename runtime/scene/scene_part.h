@@ -34,6 +34,8 @@ bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObj
 
 /* Its place in scene->materials, or -1: it is told what is wrong. scene_material.c */
 int scene_material_read(SceneReader *r, Tree *tree);
+/* The same of a file's material, by its number. */
+int scene_material_read_of(SceneReader *r, const Tree *path, int number);
 /* `materials:` of the document, before any is read. */
 void scene_material_open(SceneReader *r, const Tree *document);
 /* Resolves those of the document that were met or named, after all are read. */
@@ -44,4 +46,6 @@ bool scene_displace(SceneReader *r, const MatcOptions *options);
 void scene_displace_free(Scene *scene);
 /* The place in scene->meshes of a file, read when it is met first; or -1. scene_mesh.c */
 int scene_mesh_read(SceneReader *r, const Tree *path);
+/* How many meshes there are of the file's materials, side by side from *first on, by ascending material; -1: told. */
+int scene_mesh_read_parts(SceneReader *r, const Tree *path, int *first);
 #endif
