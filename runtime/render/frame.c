@@ -288,6 +288,9 @@ bool frame_change(Render *render, unsigned what)
     volume_shown_place(render);
     pass_cubes_place(render);
     pass_rays_place(render);
+    indirect_doubt(render, what & RENDER_TIME     ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness
+                           : what & RENDER_LIGHTS ? INDIRECT_DOUBT_light
+                                                  : 0);
     fine = fine && (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render));
     for (size_t i = 0; what & (RENDER_CAMERA | RENDER_LIGHTS) && i < sizeof passes / sizeof *passes; i++)
         if (fine && passes[i]->material.store)
@@ -308,6 +311,7 @@ void frame_delete(Render *render)
     screen_pass_delete(&render->light);
     pass_tone_delete(render);
     indirect_delete(render);
+    indirect_motion_delete(render);
     light_far_delete(render);
     pass_edge_delete(render);
     pass_tools_delete(render);

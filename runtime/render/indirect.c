@@ -101,6 +101,8 @@ void indirect_forget(Render *render)
     history->sets = 0;
 }
 
+void indirect_doubt(Render *render, unsigned doubts) { render->indirect.history.doubts |= doubts; }
+
 static void delete_history(Render *render)
 {
     IndirectHistory *history = &render->indirect.history;

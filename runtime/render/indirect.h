@@ -4,6 +4,7 @@
 #include "compiler/base/text.h"
 #include "runtime/render/cache.h"
 #include "runtime/render/frame_plan.h"
+#include "runtime/render/indirect_motion.h"
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
 
@@ -17,13 +18,18 @@ typedef struct {
     int sets;                         /* of rays that are in it, since something changed */
     unsigned number;                  /* of all sets */
     bool there, still, exact;         /* something is kept; nothing has changed since; it is as exact as is wanted */
+    unsigned doubts;                  /* a sum of IndirectDoubt */
     double eye_from_world[16];        /* of the view that it was seen in */
     float ray[4], depth[4];
 } IndirectHistory;
 
+/* What may be other than when it was kept: light from other surfaces; openness, wherever it is. Beside objects that moved it may be as well. */
+typedef enum { INDIRECT_DOUBT_light = 1, INDIRECT_DOUBT_openness = 2 } IndirectDoubt;
+
 /* Of the passes. */
 typedef struct {
     IndirectHistory history;
+    IndirectMotion motion;
     ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
 } FrameIndirect;
 
@@ -67,6 +73,8 @@ void pass_history_draw(Render *render);
 GLuint indirect_kept(const Render *render);
 /* Something has changed: what is kept holds where the same is seen, if frames before are to count; else none of it. */
 void indirect_forget(Render *render);
+/* What is kept holds the less: a sum of IndirectDoubt. */
+void indirect_doubt(Render *render, unsigned doubts);
 bool pass_smooth_needed(const Render *render);
 /* What a pass of that drawing fills and reads as the scene has it: rays the target open, where nothing is smoothed; spread what rays read, for further bounces. */
 void pass_smooth_request(const Render *render, void (*draw)(Render *), FramePlanPass *row);

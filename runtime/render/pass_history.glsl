@@ -1,15 +1,24 @@
 // The pass history: what rays found, with what they found in frames before, as the mean over both. Where the point of a pixel was seen before says the view of that frame; what is
 // there counts if it is the same surface, by its distance off the tangent plane and by its normal, and as much as it is made of sets of rays. Behind indirect_place.glsl.
 //
-// What moves, or lights what others send, leaves a wrong value behind where nothing tells by the surface. So unless nothing has changed, what was kept is brought near
-// the mean of what rays find around the pixel now.
+// A pixel of an object that moved is looked up where the object's point was, as the picture's numbers of motions say.
+//
+// What moves, or lights what others send, leaves a wrong value behind where nothing tells by the surface. Openness can be another only where a ray reaches a box around what moved, as it was or
+// as it is; there, and where light from other surfaces may be another, what was kept is brought near the mean of what rays find around the pixel now.
 uniform sampler2D history_rays;   // of this frame
 uniform sampler2D history_values; // kept: the same, as means
 uniform sampler2D history_places; // x: distance from the eye, along its axis; y: sets of rays; zw: the normal
+uniform usampler2D history_moved; // 0, or the number of a motion, from 1 on; more than there are: by one that is not known
 layout(std140) uniform History {
-    mat4 history_from_eye;           // the eye's space of the frame before, from that of this one
-    vec4 history_ray, history_view;  // of the frame before: indirect_ray, indirect_view
-    vec4 history_limits;             // x: so many sets of rays count, at most; y: 1: something is kept; z: 1: nothing has changed
+    mat4 history_from_eye;          // the eye's space of the frame before, from that of this one
+    mat4 history_world;             // the world from this eye's space
+    vec4 history_ray, history_view; // of the frame before: indirect_ray, indirect_view
+    vec4 history_limits;            // x: so many sets of rays count, at most; y: 1: something is kept; z: 1: nothing has changed
+    vec4 history_doubts;            // 1: wherever it is, may be another x: light, y: openness; z: how far around boxes it may be
+    vec4 history_counts;            // x: of boxes; y: of motions
+    vec4 history_boxes[2 * HISTORY_BOXES];
+    vec4 history_steps[HISTORY_MOTIONS];   // xyz: from where an object's middle is now to where it was
+    mat4 history_motions[HISTORY_MOTIONS]; // as history_from_eye, of objects that moved
 };
 
 struct HistoryKept {
@@ -31,14 +40,11 @@ vec3 historyUnpack(vec2 p)
     return normalize(n);
 }
 
-// What was kept of a point, between the pixels that are nearest to where it was seen. No sets: nothing.
-HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
+// What was kept of a point that was there, with that normal, in the eye's space of before: between the pixels that are nearest to where it was seen. No sets: nothing.
+HistoryKept historyAt(vec3 was, vec3 turned)
 {
     HistoryKept kept = HistoryKept(vec4(0.0), 0.0);
-    if (history_limits.y == 0.0) return kept;
-    if (history_limits.z == 1.0) return HistoryKept(texelFetch(history_values, at, 0), texelFetch(history_places, at, 0).y);
     bool orthographic = history_view.y > 0.0;
-    vec3 was = (history_from_eye * vec4(point, 1.0)).xyz, turned = mat3(history_from_eye) * normal;
     if (!orthographic && -was.z <= history_view.x) return kept;
     vec2 place = 0.5 * ((orthographic ? was.xy : was.xy / -was.z) / history_ray.xy + history_ray.zw);
     vec2 shown = (place - 0.5 - float(INDIRECT_COARSE / 2)) / float(INDIRECT_COARSE), part = fract(shown);
@@ -62,15 +68,48 @@ HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
     return HistoryKept(kept.value / sum, kept.sets / sum);
 }
 
-// Of 16 pixels around, one in two of 8 x 8, those that show the tangent plane to within their distance: their mean, which is off by a fourth of their deviation if they have nothing
+// Of a pixel. What arrives depends on where a surface is and how it is turned, more than on which surface it is: so of an object that turns, what was kept is looked up where its middle was, as if it did
+// not turn, and only where that shows something else at the very point of the surface.
+HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
+{
+    if (history_limits.y == 0.0) return HistoryKept(vec4(0.0), 0.0);
+    if (history_limits.z == 1.0) return HistoryKept(texelFetch(history_values, at, 0), texelFetch(history_places, at, 0).y);
+    vec3 was = (history_from_eye * vec4(point, 1.0)).xyz, turned = mat3(history_from_eye) * normal;
+    int number = history_counts.x > 0.0 ? int(texelFetch(history_moved, indirectPixel(at), 0).x) : 0;
+    if (float(number) > history_counts.y) return HistoryKept(vec4(0.0), 0.0);
+    if (number == 0) return historyAt(was, turned);
+    HistoryKept kept = historyAt(was + history_steps[number - 1].xyz, turned);
+    if (kept.sets > 0.0) return kept;
+    // Normals go by the matrix of cofactors, which is the inverse's transpose but for a factor.
+    mat4 motion = history_motions[number - 1];
+    vec3 c0 = motion[0].xyz, c1 = motion[1].xyz, c2 = motion[2].xyz;
+    turned = sign(dot(c0, cross(c1, c2))) * normalize(mat3(cross(c1, c2), cross(c2, c0), cross(c0, c1)) * normal);
+    return historyAt((motion * vec4(point, 1.0)).xyz, turned);
+}
+
+// A ray of the point may reach what moved.
+bool historyIsNear(vec3 point)
+{
+    vec3 world = (history_world * vec4(point, 1.0)).xyz;
+    for (int i = 0; i < int(history_counts.x); i++) {
+        vec3 beyond = max(max(history_boxes[2 * i].xyz - world, world - history_boxes[2 * i + 1].xyz), vec3(0.0));
+        if (dot(beyond, beyond) < history_doubts.z * history_doubts.z) return true;
+    }
+    return false;
+}
+
+// Of 4 x 4 pixels, those that show the tangent plane to within their distance: their mean, which is off by a fourth of their deviation if they have nothing
 // to do with each other, and by less if they have one net of rays. What was kept is brought to within 1.5 of that, and counts the less the farther it was off.
 void historyLimit(inout HistoryKept kept, ivec2 at, vec3 point, vec3 normal)
 {
+    bvec2 doubt = greaterThan(history_doubts.xy, vec2(0.0));
+    doubt.y = doubt.y || historyIsNear(point);
+    if (!any(doubt)) return;
     vec4 sum = vec4(0.0), squares = vec4(0.0);
     float count = 0.0, width = indirectPixelSize(point) * float(INDIRECT_COARSE);
     ivec2 size = textureSize(history_rays, 0);
-    for (int y = -3; y <= 3; y += 2)
-        for (int x = -3; x <= 3; x += 2) {
+    for (int y = -2; y < 2; y++)
+        for (int x = -2; x < 2; x++) {
             ivec2 beside = clamp(at + ivec2(x, y), ivec2(0), size - 1), pixel = indirectPixel(beside);
             float depth = texelFetch(indirect_depth, pixel, 0).x;
             if (depth <= 0.0 || abs(dot(normal, indirectPoint(pixel, depth) - point)) > 2.0 * width) continue;
@@ -82,8 +121,10 @@ void historyLimit(inout HistoryKept kept, ivec2 at, vec3 point, vec3 normal)
     if (count == 0.0) return;
     vec4 mean = sum / count, off = 1.5 * sqrt(max(squares / count - mean * mean, vec4(0.0)) / count);
     vec4 limited = clamp(kept.value, mean - off, mean + off), beyond = abs(kept.value - limited) / (off + 1e-4);
-    kept.value = limited;
-    kept.sets *= clamp(1.0 - max(max(beyond.x, beyond.y), max(beyond.z, beyond.w)), 0.0, 1.0);
+    if (doubt.x) kept.value.xyz = limited.xyz;
+    if (doubt.y) kept.value.w = limited.w;
+    float most = max(doubt.x ? max(max(beyond.x, beyond.y), beyond.z) : 0.0, doubt.y ? beyond.w : 0.0);
+    kept.sets *= clamp(1.0 - most, 0.0, 1.0);
 }
 
 vec4 passPixel(ivec2 at)

@@ -251,6 +251,8 @@ bool render_changed_objects(Render *render, int first, int count)
     pass_cubes_place(render);
     pass_volume_change(render); /* maps are fitted to what has moved */
     pass_rays_place(render);
+    indirect_doubt(render, INDIRECT_DOUBT_light);
+    indirect_motion_add(render, first, count);
     return pass_exact_move(render, first, count) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
 

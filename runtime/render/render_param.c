@@ -9,6 +9,7 @@ static bool set(Render *render, int material, const MaterialValue *value)
     const bool sheets = shadow_sheet_set(render, material, value);
     const bool nodes = radiance_param(render, material, value);
     indirect_forget(render);
+    indirect_doubt(render, INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness); /* a cut-out may be another */
     return cache_set(&source, &render->cache, material, value) || sheets || nodes;
 }
 
