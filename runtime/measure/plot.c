@@ -7,6 +7,9 @@
 
 enum { PANEL_WIDTH = 440, PANEL_HEIGHT = 330, LEFT = 62, RIGHT = 16, TOP = 34, BOTTOM = 48, HEAD = 62, LABELS = 256 };
 
+/* Of lines, a row at the top of the panel: how long a line's sample is, and the room of a letter. */
+enum { KEY_SAMPLE = 14, KEY_GAP = 4, KEY_LETTER = 6, KEY_HEIGHT = 18 };
+
 static const char style[] =
     "text{font-family:DejaVu Sans,Verdana,sans-serif;font-size:11px;fill:#333}"
     ".title{font-size:17px;font-weight:bold;fill:#111}.note{font-size:11.5px;fill:#666}"
@@ -69,7 +72,26 @@ static void text_at(FILE *out, const char *kind, TextAnchor at, const char *text
 
 static bool is_shown(const PlotPoint *point) { return !isnan(point->x) && !isnan(point->y); }
 
-/* Whole decades around all numbers above 0, with one more below for those that are not. */
+static bool has_lines(const PlotPanel *panel)
+{
+    for (int i = 0; i < panel->count; i++)
+        if (panel->points[i].line)
+            return true;
+    return false;
+}
+
+/* 1, 2 or 5 times a power of ten, as a decade: the last one below, or the first one above. */
+static double step_beside(double decade, bool above)
+{
+    static const double steps[] = {0, 0.30103, 0.69897, 1};
+    const double whole = floor(decade);
+    int i = above ? 0 : 3;
+    while (above ? whole + steps[i] < decade : whole + steps[i] > decade)
+        i += above ? 1 : -1;
+    return whole + steps[i];
+}
+
+/* Whole decades around all numbers above 0, with one more below for those that are not; of lines less, and room for their key. */
 static Axis find_axis(const PlotPanel *panel, bool vertical)
 {
     Axis axis = {INFINITY, -INFINITY};
@@ -86,6 +108,10 @@ static Axis find_axis(const PlotPanel *panel, bool vertical)
     }
     if (axis.low > axis.high)
         axis = (Axis){-1, 0};
+    if (vertical && !zero && has_lines(panel)) {
+        const double far = axis.high - axis.low;
+        return (Axis){step_beside(axis.low - 0.05, false), step_beside(axis.high + 0.05 + 0.1 * far, true)};
+    }
     axis.low = floor(axis.low - 0.05) - zero;
     axis.high = fmax(ceil(axis.high + 0.05), axis.low + 1);
     return axis;
@@ -102,28 +128,39 @@ static double pixel_y(const Canvas *c, double v) { return c->field.y + c->field.
 
 static void tick_text(double decade, char text[32])
 {
-    if (decade >= -2 && decade <= 4)
+    if (decade >= -2 && decade < 5)
         snprintf(text, 32, "%g", pow(10, decade));
     else
-        snprintf(text, 32, "1e%g", decade);
+        snprintf(text, 32, "%ge%g", pow(10, decade - floor(decade)), floor(decade));
+}
+
+static void draw_level(const Canvas *c, double decade)
+{
+    char text[32];
+    const double y = pixel_y(c, pow(10, decade));
+    fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fH%.1f\"/>\n", c->field.x, y, c->field.x + c->field.width);
+    tick_text(decade, text);
+    text_at(c->out, "tick", (TextAnchor){c->field.x - 6, y + 3.5, "end"}, text);
+}
+
+/* Decades, every second one of many; within two of them what is 1, 2 and 5 times as much, too. */
+static void draw_levels(const Canvas *c)
+{
+    const double near = 1e-6, far = c->y.high - c->y.low;
+    for (double d = far > 2 ? ceil(c->y.low - near) : c->y.low; d <= c->y.high + near;)
+        draw_level(c, d), d = far > 8 ? d + 2 : far > 2 ? d + 1 : step_beside(d + near, true);
 }
 
 static void draw_ticks(const Canvas *c)
 {
     char text[32];
-    double step = c->y.high - c->y.low > 8 ? 2 : 1;
     for (double d = c->x.low; d <= c->x.high; d++) {
         double x = pixel_x(c, pow(10, d));
         fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fV%.1f\"/>\n", x, c->field.y, c->field.y + c->field.height);
         tick_text(d, text);
         text_at(c->out, "tick", (TextAnchor){x, c->field.y + c->field.height + 14, "middle"}, text);
     }
-    for (double d = c->y.low; d <= c->y.high; d += step) {
-        double y = pixel_y(c, pow(10, d));
-        fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fH%.1f\"/>\n", c->field.x, y, c->field.x + c->field.width);
-        tick_text(d, text);
-        text_at(c->out, "tick", (TextAnchor){c->field.x - 6, y + 3.5, "end"}, text);
-    }
+    draw_levels(c);
 }
 
 static int by_time(const void *a, const void *b)
@@ -165,6 +202,24 @@ static void draw_lines(const Canvas *c, const PlotPoint *sorted, int count)
     for (int line = 1; line <= PLOT_LINES; line++)
         if (there >> line & 1)
             draw_line(c, sorted, count, line);
+}
+
+/* A line's name beside a piece of it, for each line that has one. */
+static void draw_key(const Canvas *c, const PlotPoint *points, int count)
+{
+    double x = c->field.x + KEY_GAP;
+    for (int line = 1; line <= PLOT_LINES; line++)
+        for (int i = 0; i < count; i++) {
+            const PlotPoint *p = &points[i];
+            if (p->line != line || !p->named || !p->label)
+                continue;
+            const double y = c->field.y + 0.5 * KEY_HEIGHT;
+            fprintf(c->out, "<path class=\"line line%d\" d=\"M%.1f %.1fh%d\"/>\n", line, x, y, KEY_SAMPLE);
+            x += KEY_SAMPLE + KEY_GAP;
+            text_at(c->out, "tick", (TextAnchor){x, y + 3.5, "start"}, p->label);
+            x += KEY_LETTER * (double)strlen(p->label) + 2 * KEY_GAP;
+            break;
+        }
 }
 
 static bool is_free(const Canvas *c, const Box *box)
@@ -244,8 +299,9 @@ static void draw_panel(FILE *out, const PlotPanel *panel, double x, double y)
     draw_front(c, sorted, panel->count);
     draw_lines(c, sorted, panel->count);
     draw_points(c, sorted, panel->count);
+    draw_key(c, sorted, panel->count);
     for (int i = 0; i < panel->count; i++)
-        if ((sorted[i].front || sorted[i].named) && is_shown(&sorted[i]) && sorted[i].label && *sorted[i].label)
+        if ((sorted[i].front || (sorted[i].named && !sorted[i].line)) && is_shown(&sorted[i]) && sorted[i].label && *sorted[i].label)
             draw_label(c, &sorted[i]);
     free(sorted);
     free(c);

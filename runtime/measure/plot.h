@@ -9,7 +9,7 @@ enum { PLOT_LINES = 5 };
 typedef struct {
     double x, y;       /* 0 and below stand on the axis; a NaN is left out */
     bool front;        /* on the line, and labelled */
-    bool named;        /* labelled even if not */
+    bool named;        /* labelled even if not; of a line, in a key at the top */
     const char *label; /* NULL or "": none */
     int line;          /* 1 to PLOT_LINES: joined with those of the same line in the order of x; 0: not */
 } PlotPoint;
