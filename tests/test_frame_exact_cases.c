@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_change.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -72,25 +72,6 @@ static void beyond(void **state)
     "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [.8, 0, 0] } }\n"                 \
     "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [0, -1.2, 0] } }\n"
 
-static float *read_frame(Render *render)
-{
-    float *rgba = calloc(PIXELS, 4 * sizeof *rgba);
-    assert_true(rgba && render_frame(render) && render_read(render, rgba));
-    return rgba;
-}
-
-/* The picture is the one that a new renderer draws. */
-static void assert_as_new(GlContext *gl, const RenderOptions *how, Render *changed, const Scene *scene)
-{
-    Render *fresh = render_open(gl, how);
-    assert_true(fresh && render_scene(fresh, scene));
-    float *a = read_frame(changed), *b = read_frame(fresh);
-    assert_memory_equal(a, b, PIXELS * 4 * sizeof *a);
-    render_close(fresh);
-    free(a);
-    free(b);
-}
-
 static void changes(void **state)
 {
     (void)state;
@@ -101,17 +82,17 @@ static void changes(void **state)
     Scene *scene = frame_scene(MOVING, &options, &document);
     Render *render = render_open(gl, &how);
     assert_true(render && render_scene(render, scene));
-    free(read_frame(render));
+    free(frame_change_next(render));
     scene->camera.position[0] += .25;
     assert_true(render_changed(render, RENDER_CAMERA));
-    assert_as_new(gl, &how, render, scene);
+    frame_change_assert(gl, &how, render, scene);
     scene->objects[1].world_from_local.m[13] += .25; /* within what there is: it alone is written */
     assert_true(render_changed_objects(render, 1, 1));
-    assert_as_new(gl, &how, render, scene);
+    frame_change_assert(gl, &how, render, scene);
     for (int i = 0; i < 4; i++) /* mirrored, it is drawn after its copies */
         scene->objects[1].world_from_local.m[i] *= -1;
     assert_true(render_changed_objects(render, 1, 1));
-    assert_as_new(gl, &how, render, scene);
+    frame_change_assert(gl, &how, render, scene);
     render_close(render);
     frame_forget(scene, document);
     gl_close(gl);

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_change.h"
 #include "tests/frame/frame_lamps.h"
 #include <math.h>
 #include <stdio.h>
@@ -144,8 +144,7 @@ static void drivers_with_less(void **state)
     assert_int_equal(render_tile_height(render), 2 * 32);
     render_close(render);
     scarce = GL_MAX_TEXTURE_BUFFER_SIZE;
-    least = 3 * 3 * (64 + 4 * (17 + 16)) -
-            1; /* words of a block, more than its 172 texels */
+    least = 3 * 3 * (64 + 4 * (17 + 16)) - 1; /* words of a block, more than its 172 texels */
     render = open_render(&h, &options);
     assert_int_equal(render_tile_height(render), 2 * 32);
     render_close(render);
@@ -169,17 +168,10 @@ static double most_apart(const float *a, const float *b, int *differ)
     return most / half_step;
 }
 
-static float *read_frame(Render *render)
-{
-    float *rgba = calloc(PIXELS, 4 * sizeof *rgba);
-    assert_true(rgba && render_frame(render) && render_read(render, rgba));
-    return rgba;
-}
-
 /* What is drawn is what a new renderer draws, bit for bit. */
 static void expect_as_new(const Hall *h, Render *render, const RenderOptions *options)
 {
-    float *changed = read_frame(render);
+    float *changed = frame_change_next(render);
     GlContext *gl = frame_context();
     float *new = frame_floats(gl, h->scene, options);
     assert_memory_equal(changed, new, PIXELS * 4 * sizeof *new);
@@ -195,7 +187,7 @@ static void changes(void **state)
     Hall h = open_hall();
     const RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "bounded"};
     Render *render = open_render(&h, &options);
-    float *before = read_frame(render);
+    float *before = frame_change_next(render);
     h.scene->camera.position[0] += 1;
     assert_true(render_changed(render, RENDER_CAMERA));
     expect_as_new(&h, render, &options);
@@ -203,7 +195,7 @@ static void changes(void **state)
     h.scene->lights[LIGHTS - 1].light[1] *= 90;
     assert_true(render_changed(render, RENDER_LIGHTS));
     expect_as_new(&h, render, &options);
-    float *after = read_frame(render);
+    float *after = frame_change_next(render);
     assert_memory_not_equal(before, after, PIXELS * 4 * sizeof *after);
     free(before);
     free(after);

@@ -51,19 +51,11 @@ static int share_of(const Tracer *tracer, const Hit *hit)
     return shadow_band_expected(tracer, hit, band_of(tracer->scene) * texel);
 }
 
-/* Both normals are on one side of the light, which is not the case where a triangle stands for a round surface at its terminator. */
-static bool sides_agree(const SceneLight *light, const Hit *hit)
-{
-    double way[3];
-    shadow_way_to(light, hit->world, way);
-    return reference_dot(way, hit->facet) * reference_dot(way, hit->normal) > 0;
-}
-
 static void add_pixel(const Tracer *tracer, int pixel, double share, Count *count)
 {
     const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + .5, pixel / WIDTH + .5);
     const Hit hit = reference_hit(tracer, &ray, 0);
-    if (hit.object < 0 || !sides_agree(&tracer->scene->lights[0], &hit) ||
+    if (hit.object < 0 || !shadow_sides_agree(&tracer->scene->lights[0], &hit) ||
         reference_is_edge(tracer, pixel % WIDTH, pixel / WIDTH, &hit, 1))
         return;
     const int expected = share_of(tracer, &hit);

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_calls.h"
-#include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_change.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,20 +55,13 @@ static void forget(Drawn *d)
     frame_forget(d->scene, d->document);
 }
 
-static float *read_frame(Render *render)
-{
-    float *rgba = calloc(FLOATS, sizeof *rgba);
-    assert_true(rgba && render_frame(render) && render_read(render, rgba));
-    return rgba;
-}
-
 static void a_second_frame_draws(void **state)
 {
     (void)state;
     Drawn d = draw(&(RenderOptions){0});
-    float *first = read_frame(d.render);
+    float *first = frame_change_next(d.render);
     frame_calls = (FrameCalls){0};
-    float *second = read_frame(d.render);
+    float *second = frame_change_next(d.render);
     assert_int_equal(frame_calls.made + frame_calls.written, 0);
     assert_memory_equal(first, second, FLOATS * sizeof *first);
     free(first);
@@ -101,9 +94,9 @@ static void changes(void **state)
     static bool (*const moves[])(Drawn *) = {move_camera, move_light, move_sheet};
     for (size_t i = 0; i < sizeof moves / sizeof *moves; i++) {
         Drawn d = draw(&(RenderOptions){0});
-        float *before = read_frame(d.render);
+        float *before = frame_change_next(d.render);
         assert_true(moves[i](&d));
-        float *moved = read_frame(d.render);
+        float *moved = frame_change_next(d.render);
         float *new = frame_floats(d.gl, d.scene, &(RenderOptions){.compile = &d.compile, .view = "light"});
         assert_memory_equal(moved, new, FLOATS * sizeof *new);
         assert_memory_not_equal(before, new, FLOATS * sizeof *new);
@@ -119,9 +112,9 @@ static void params(void **state)
 {
     (void)state;
     Drawn d = draw(&(RenderOptions){0});
-    float *before = read_frame(d.render);
+    float *before = frame_change_next(d.render);
     assert_true(render_param(d.render, d.scene->objects[1].material, "clear", &(float){0}, 1));
-    float *after = read_frame(d.render);
+    float *after = frame_change_next(d.render);
     int darker = 0;
     for (int i = 0; i < FLOATS; i++)
         darker += after[i] < before[i];
@@ -136,13 +129,13 @@ static void tiles(void **state)
 {
     (void)state;
     Drawn whole = draw(&(RenderOptions){0});
-    float *picture = read_frame(whole.render);
+    float *picture = frame_change_next(whole.render);
     forget(&whole);
     Drawn tiled = draw(&(RenderOptions){.tile = {16, 8}});
     for (int y = 0; y < HEIGHT; y += 8)
         for (int x = 0; x < WIDTH; x += 16) {
             render_move(tiled.render, x, y);
-            float *tile = read_frame(tiled.render);
+            float *tile = frame_change_next(tiled.render);
             for (int row = 0; row < 8; row++)
                 for (int i = 0; i < 4 * 16; i++)
                     assert_float_equal(tile[4 * 16 * row + i], picture[4 * (WIDTH * (y + row) + x) + i], 1e-5);

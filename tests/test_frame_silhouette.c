@@ -8,20 +8,11 @@
 #include "tests/frame/shadow_band.h"
 #include "tests/frame/shadow_ends.h"
 #include "tests/frame/shadow_knot.h"
+#include "tests/frame/shadow_scene.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Both normals are on one side of the light, which is not the case where a triangle stands for a round surface at its terminator. */
-static bool sides_agree(const SceneLight *light, const Hit *hit)
-{
-    double way[3];
-    shadow_way_to(light, hit->world, way);
-    return reference_dot(way, hit->facet) * reference_dot(way, hit->normal) > 0;
-}
-
-#define PLANE "- { object: Plane, material: m }\n"
 
 /* -- how far ends are off */
 
@@ -45,18 +36,7 @@ static void ends_are_true(void **state)
 
 /* -- pixels away from ends */
 
-#define VIEW                                                                                                           \
-    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "   \
-    "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
-/* Meshes that meet: all of them the ground, a box another box, a cone a cylinder. */
-#define THINGS                                                                                                         \
-    "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, .8] } }\n"                      \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } }\n"                  \
-    "- { object: Box, size: [.5, .5, .5], material: m, transform: { translation: [1.1, .5, 1.25] } }\n"                \
-    "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, -1.4, 0] } }\n"         \
-    "- { object: Cone, radius: .3, height: .6, material: m, transform: { translation: [.6, -1.4, .8] } }\n"            \
-    "- { object: Parallelogram, u: [0, 1.6, 0], v: [.4, 0, 1], material: m, transform: { translation: [-2.2, -.6, 0] " \
-    "} }\n"
+#define HEAD "image: { width: 120, height: 90 }\nshadowMaps: { size: 256 }\n"
 /* Bodies that cross, copies in one place, a box without width, triangles without area. */
 #define NASTY                                                                                                          \
     "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.9, -.4, .5] } }\n"                      \
@@ -69,11 +49,6 @@ static void ends_are_true(void **state)
     "- { object: Cylinder, radius: .3, height: .000001, material: m, transform: { translation: [.6, -1.9, .5] } }\n"
 /* Half in the ground, where an infinite plane hides triangles. */
 #define SUNK "- { object: Sphere, radius: .6, material: m, transform: { translation: [-.4, -2, .1] } }\n"
-#define GROUND                                                                                                         \
-    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
-    "-4, 0] } }\n"
-#define ON_PLANE "objects:\n" PLANE
-
 typedef struct {
     int lit, dark;   /* compared, outside of bands */
     int band;        /* within */
@@ -94,7 +69,7 @@ static void add_pixel(const Tracer *tracer, int pixel, double share, Count *coun
     const int wide = tracer->scene->width;
     const Ray ray = reference_ray(tracer->scene, pixel % wide + .5, pixel / wide + .5);
     const Hit hit = reference_hit(tracer, &ray, 0);
-    if (hit.object < 0 || !sides_agree(&tracer->scene->lights[0], &hit) ||
+    if (hit.object < 0 || !shadow_sides_agree(&tracer->scene->lights[0], &hit) ||
         reference_is_edge(tracer, pixel % wide, pixel / wide, &hit, 1))
         return;
     const int wanted = expected(tracer, &hit);
@@ -108,36 +83,11 @@ static void add_pixel(const Tracer *tracer, int pixel, double share, Count *coun
 /* The argument `all` asks for all angles with all lamps. */
 static bool all_of_them;
 
-typedef struct {
-    const char *kind; /* and further params */
-    bool placed, directed;
-    double distance; /* from the origin */
-} Lamp;
-
-static const Lamp lamps[] = {
-    {"Directional", false, true, 6},
-    {"Spot, innerAngle: 30, outerAngle: 45", true, true, 6},
-    {"Spot, innerAngle: 80, outerAngle: 100", true, true, 6},
-    {"Point", true, false, 6},
-    {"Point", true, false, 1.8}, /* among the objects */
-};
-enum { LAMPS = sizeof lamps / sizeof *lamps };
-
-static Count by_lamp(const ShadowPair *pair, const Lamp *lamp, const double angle[2], const char *objects[2])
+static Count by_lamp(const ShadowPair *pair, const ShadowScene *from)
 {
-    char text[6144], place_text[128] = "", direction_text[128] = "";
-    double at[3];
     MatcDocument *document;
     Count count = {0};
-    shadow_place(angle, lamp->distance, at);
-    if (lamp->placed)
-        snprintf(place_text, sizeof place_text, ", position: [%g, %g, %g]", at[0], at[1], at[2]);
-    if (lamp->directed)
-        snprintf(direction_text, sizeof direction_text, ", direction: [%g, %g, %g]", -at[0], -at[1], -at[2]);
-    snprintf(text, sizeof text,
-             VIEW "shadowMaps: { size: 256 }\nlights: [{ light: %s%s%s, shadows: silhouette }]\n%s%s", lamp->kind,
-             place_text, direction_text, objects[0], objects[1]);
-    Scene *scene = frame_scene(text, &pair->options, &document);
+    Scene *scene = shadow_scene(from, &pair->options, &document);
     float *shares = shadow_pair_shares(pair, scene);
     Tracer tracer = reference_open(scene);
     for (int i = 0; i < scene->width * scene->height; i++)
@@ -153,15 +103,16 @@ static Count by_lamp(const ShadowPair *pair, const Lamp *lamp, const double angl
 static void by_every_lamp(const ShadowPair *pair, const char *name, const char *objects[2], int most)
 {
     Count all = {0};
-    for (int i = 0; i < SHADOW_ANGLES * LAMPS; i++) {
-        if (i % SHADOW_ANGLES % LAMPS != i / SHADOW_ANGLES && !all_of_them)
+    for (int i = 0; i < SHADOW_ANGLES * SHADOW_LAMPS; i++) {
+        if (i % SHADOW_ANGLES % SHADOW_LAMPS != i / SHADOW_ANGLES && !all_of_them)
             continue; /* each angle with a lamp */
-        const Count count = by_lamp(pair, &lamps[i / SHADOW_ANGLES], shadow_angles[i % SHADOW_ANGLES], objects);
+        const ShadowLamp *lamp = &shadow_lamps[i / SHADOW_ANGLES];
+        const double *angle = shadow_angles[i % SHADOW_ANGLES];
+        const Count count = by_lamp(pair, &(ShadowScene){HEAD, "silhouette", lamp, angle, {objects[0], objects[1]}});
         all.lit += count.lit, all.dark += count.dark, all.band += count.band;
         all.acne += count.acne, all.leaks += count.leaks;
         print_message("%-12s %-14.14s %4g degrees: %5d lit, %4d dark, %4d in bands; acne %d, leaks %d\n", name,
-                      lamps[i / SHADOW_ANGLES].kind, shadow_angles[i % SHADOW_ANGLES][0], count.lit, count.dark,
-                      count.band, count.acne, count.leaks);
+                      lamp->kind, angle[0], count.lit, count.dark, count.band, count.acne, count.leaks);
     }
     print_message("%s: %d lit, %d dark, %d in bands; acne %d, leaks %d\n", name, all.lit, all.dark, all.band, all.acne,
                   all.leaks);
@@ -176,9 +127,9 @@ static void away_from_ends(void **state)
     (void)state;
     ShadowPair pair;
     shadow_pair_open(GL_KIND_osmesa, &pair);
-    by_every_lamp(&pair, "on a mesh", (const char *[2]){GROUND, THINGS}, 0);
-    by_every_lamp(&pair, "on a plane", (const char *[2]){ON_PLANE, THINGS SUNK}, 0);
-    by_every_lamp(&pair, "nasty", (const char *[2]){GROUND, NASTY}, all_of_them ? 2 : 0);
+    by_every_lamp(&pair, "on a mesh", (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("")}, 0);
+    by_every_lamp(&pair, "on a plane", (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_THINGS("") SUNK}, 0);
+    by_every_lamp(&pair, "nasty", (const char *[2]){SHADOW_SCENE_GROUND, NASTY}, all_of_them ? 2 : 0);
     shadow_pair_close(&pair);
 }
 

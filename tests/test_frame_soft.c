@@ -5,8 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tests/frame/frame_calls.h"
-#include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_change.h"
 #include "tests/frame/glass_ray.h"
 #include "tests/frame/reference_light.h"
 #include "tests/frame/soft_ray.h"
@@ -137,20 +136,13 @@ static void add_pixel(const Judge *judge, int pixel, const float *rgba, Error *e
     error->soft += shares[0] > .01 && shares[0] < .99;
 }
 
-static float *read_frame(Render *render)
-{
-    float *rgba = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *rgba);
-    assert_true(rgba && render_frame(render) && render_read(render, rgba));
-    return rgba;
-}
-
 static Error compare_case(Render *render, const Case *c, const MatcOptions *options)
 {
     MatcDocument *document;
     Error error = {0};
     Scene *scene = scene_of(c, options, &document);
     assert_true(render_scene(render, scene));
-    float *rgba = read_frame(render);
+    float *rgba = frame_change_next(render);
     Tracer tracer = reference_open(scene);
     const Judge judge = {c, &tracer, options};
     for (int i = (int)(seed % STEP); i < WIDTH * HEIGHT; i += STEP)
@@ -231,45 +223,15 @@ static void all_or_nothing(void **state)
     gl_close(gl);
 }
 
-/* A picture is the one that a new renderer draws. */
-static void assert_as_new(GlContext *gl, const RenderOptions *how, Render *changed, const Scene *scene)
-{
-    Render *fresh = render_open(gl, how);
-    assert_true(fresh && render_scene(fresh, scene));
-    float *a = read_frame(changed), *b = read_frame(fresh);
-    assert_memory_equal(a, b, (size_t)WIDTH * HEIGHT * 4 * sizeof *a);
-    render_close(fresh);
-    free(a);
-    free(b);
-}
-
-/* A further frame makes and writes nothing; after objects, the light and the camera moved, it is that of a new renderer. */
 static void changes(void **state)
 {
     (void)state;
     static const Case moved = {"", FENCE, {GROUND, TWO}, "", 0, 0, false};
     const MatcOptions options = lean_options();
-    const RenderOptions how = {.compile = &options, .view = "light"};
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene = scene_of(&moved, &options, &document);
-    Render *render = render_open(gl, &how);
-    frame_count_calls(gl);
-    assert_true(render && render_scene(render, scene));
-    free(read_frame(render));
-    frame_calls = (FrameCalls){0};
-    free(read_frame(render));
-    assert_true(frame_calls.made == 0 && frame_calls.written == 0);
-    scene->objects[1].world_from_local.m[12] += .25;
-    assert_true(render_changed_objects(render, 1, 1));
-    assert_as_new(gl, &how, render, scene);
-    scene->lights[0].position[2] += .5;
-    assert_true(render_changed(render, RENDER_LIGHTS));
-    assert_as_new(gl, &how, render, scene);
-    scene->camera.position[2] += .25;
-    assert_true(render_changed(render, RENDER_CAMERA));
-    assert_as_new(gl, &how, render, scene);
-    render_close(render);
+    frame_change_moves(gl, &(RenderOptions){.compile = &options, .view = "light"}, scene, &(FrameMoves){.25, 0, 2, .5});
     frame_forget(scene, document);
     gl_close(gl);
 }

@@ -42,21 +42,13 @@ typedef struct {
     float *light, *truth;
 } Seen;
 
-/* Both normals are on one side of the light, which is not the case where a triangle stands for a round surface at its terminator. */
-static bool sides_agree(const SceneLight *light, const Hit *hit)
-{
-    double way[3];
-    shadow_way_to(light, hit->world, way);
-    return reference_dot(way, hit->facet) * reference_dot(way, hit->normal) > 0;
-}
-
 static void see_pixel(const Tracer *tracer, const ShadowView *view, int pixel, bool all, const Seen *seen)
 {
     const Scene *scene = tracer->scene;
     const int wide = scene->width;
     const Ray ray = reference_ray(scene, pixel % wide + .5, pixel / wide + .5);
     const Hit hit = reference_hit(tracer, &ray, 0);
-    const bool same = hit.object >= 0 && sides_agree(&scene->lights[0], &hit);
+    const bool same = hit.object >= 0 && shadow_sides_agree(&scene->lights[0], &hit);
     seen->light[pixel] = hit.object >= 0 && (all || same);
     if (seen->light[pixel] <= 0)
         return;

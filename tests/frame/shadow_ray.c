@@ -13,6 +13,13 @@ double shadow_way_to(const SceneLight *light, const double point[3], double way[
     return light->kind == SCENE_Directional ? INFINITY : length;
 }
 
+bool shadow_sides_agree(const SceneLight *light, const Hit *hit)
+{
+    double way[3];
+    shadow_way_to(light, hit->world, way);
+    return reference_dot(way, hit->facet) * reference_dot(way, hit->normal) > 0;
+}
+
 double shadow_texel(const Scene *scene, const SceneLight *light, const double point[3], double reach)
 {
     double way[3];
@@ -42,7 +49,8 @@ bool shadow_is_lit(const Tracer *tracer, const SceneLight *light, const double p
     const double off = (reference_dot(facet, way) < 0 ? -1 : 1) * 3e-5;
     for (int i = 0; i < 3; i++)
         from[i] = point[i] + off * facet[i];
-    return !reference_is_blocked(tracer, from, way, distance) && !shadow_is_behind_plane(tracer->scene, from, way, distance);
+    return !reference_is_blocked(tracer, from, way, distance) &&
+           !shadow_is_behind_plane(tracer->scene, from, way, distance);
 }
 
 void shadow_beside(const Hit *hit, const double way[3], double step, double angle, double moved[3])

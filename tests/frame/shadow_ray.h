@@ -22,4 +22,6 @@ enum { SHADOW_ANGLES = 7 };
 extern const double shadow_angles[SHADOW_ANGLES][2];
 /* So far from the origin. */
 void shadow_place(const double angle[2], double distance, double at[3]);
+/* Both normals are on one side of the light, which is not the case where a triangle stands for a round surface at its terminator. */
+bool shadow_sides_agree(const SceneLight *light, const Hit *hit);
 #endif
