@@ -26,11 +26,12 @@ typedef struct {
 /* Cycles computes in floats. POV-Ray's files have 16 bits, half a step of which is 7.6e-6, and a reference is a sum of them. The layout
  * `integer` has diffuse colours within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. Cycles' matrix to sRGB gives 1 in 1000 less
  * blue beside red than ours. What is round is round for POV-Ray, and has 192 corners for us: highlights are off most. Panes let
- * through what ten bits of `integer` do not hold: half a step of these is 4.9e-4. */
+ * through what ten bits of `integer` do not hold: half a step of these is 4.9e-4. Half shadows of 25 maps are approximate: 9e-4. */
 static const Bounds cycles = {{2e-6, 6e-6, STEP}, {1e-4, 1e-4, STEP}},
                     cycles_srgb = {{2e-6, 8e-6, STEP}, {1e-3, 1e-3, STEP}},
                     cycles_lamp = {{1e-6, 1e-6, STEP}, {1e-5, 2e-5, STEP}},
                     cycles_sky = {{5e-4, 5e-4, STEP}, {1e-3, 1e-3, STEP}},
+                    cycles_soft = {{1e-6, 1e-6, STEP}, {2e-3, 2e-3, STEP}},
                     povray = {{1e-5, 2e-5, STEP}, {1e-4, 1e-4, STEP}},
                     povray_round = {{1e-5, 2e-5, STEP}, {5e-4, 5e-4, STEP}},
                     povray_panes = {{1e-5, 2e-5, STEP}, {1e-4, 5e-4, STEP}};
@@ -44,10 +45,12 @@ typedef struct {
 static const PictureCase cases[] = {
     {"cycles/matt", &cycles, false},         {"cycles/painted", &cycles_srgb, false},
     {"cycles/lamp", &cycles_lamp, false},    {"cycles/sky", &cycles_sky, false},
+    {"cycles/cornell", &cycles_lamp, false},
     {"povray/glossy", &povray_round, false}, {"povray/lights", &povray, false},
     {"povray/flat", &povray, false},         {"povray/panes", &povray_panes, false},
     {"cycles/matt", &cycles, true},          {"povray/glossy", &povray_round, true},
     {"povray/lights", &povray, true},        {"povray/flat", &povray, true},
+    {"cycles/cornell", &cycles_soft, true},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 

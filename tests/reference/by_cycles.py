@@ -10,7 +10,7 @@ import numpy
 
 import world
 
-SAMPLES, AREA_SAMPLES = 64, 4096
+SAMPLES, AREA_SAMPLES, HALF_SHADOW_SAMPLES = 64, 4096, 1024
 
 
 def begin(scenery, samples):
@@ -186,14 +186,15 @@ def add_light(scene, light, shadow):
     scene.collection.objects.link(placed)
 
 
-def add_area(scene, light):
+def add_area(scene, light, shadow):
     """A rectangle. Its power is 4 times area and radiance; nothing but its own samples may meet it, since there are no bounces."""
     u, v = (numpy.array(light.get(name, init), float) for name, init in (("u", (0, 1, 0)), ("v", (1, 0, 0))))
     made = bpy.data.lights.new("light", "AREA")
     made.shape, made.size, made.size_y = "RECTANGLE", numpy.linalg.norm(u), numpy.linalg.norm(v)
     made.color = tuple(light["light"] / light["light"].max())
     made.energy = float(light["light"].max()) * 4 * made.size * made.size_y
-    made.use_shadow = made.cycles.cast_shadow = made.cycles.use_multiple_importance_sampling = False
+    made.use_shadow = made.cycles.cast_shadow = shadow
+    made.cycles.use_multiple_importance_sampling = False
     placed = bpy.data.objects.new("light", made)
     back = -world.unit(numpy.cross(u, v))
     axes = numpy.column_stack((world.unit(u), numpy.cross(back, world.unit(u)), back))
@@ -230,10 +231,10 @@ def picture(scene):
 
 def shaded(scenery, shading, light=None, shadow=False):
     area = light and light["kind"] == "Area"
-    scene = begin(scenery, AREA_SAMPLES if area else SAMPLES if light else 1)
+    scene = begin(scenery, (HALF_SHADOW_SAMPLES if shadow else AREA_SAMPLES) if area else SAMPLES if light else 1)
     add_objects(scene, scenery, shading)
     if area:
-        add_area(scene, light)
+        add_area(scene, light, shadow)
     elif light:
         add_light(scene, light, shadow)
     return picture(scene)
@@ -265,6 +266,7 @@ def render(scenery, shadows):
             continue
         free = shaded(scenery, lambert, source)
         cast = shaded(scenery, lambert, source, True) if shadows else free
-        steps.append((cast.max(axis=2, keepdims=True) >= .5 * free.max(axis=2, keepdims=True)).astype(float))
+        if source["kind"] != "Area":  # whose shadows have no edge
+            steps.append((cast.max(axis=2, keepdims=True) >= .5 * free.max(axis=2, keepdims=True)).astype(float))
         light += cast
     return light, steps, numbers[..., 0] > 0

@@ -21,7 +21,7 @@ class World:
         self.flatten(self.document.get("objects", []), numpy.eye(4), None)
         self.lights = [dict(light, light=colour(light.get("color", 1)) * light.get("intensity", 1), kind=light["light"])
                        for light in self.document.get("lights", [])]
-        self.casts = any(light["kind"] in ("Point", "Spot", "Directional") for light in self.lights)
+        self.casts = any(light["kind"] in ("Point", "Spot", "Directional", "Area") for light in self.lights)
         self.clear = any("transparency" in thing["material"] for thing in self.objects)
         self.casts = self.casts and not self.clear  # coloured shadows are another matter
         self.sky = self.material(self.document.get("sky"))
