@@ -23,18 +23,18 @@ typedef struct {
 } Bounds;
 
 #define STEP (1 / 255.)
-/* Cycles computes in floats. POV-Ray's files have 16 bits, half a step of which is 7.6e-6, and a reference is a sum of them. The layout
- * `integer` has diffuse colours within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. Cycles' matrix to sRGB gives 1 in 1000 less
- * blue beside red than ours. What is round is round for POV-Ray, and has 192 corners for us: highlights are off most. Panes let
- * through what ten bits of `integer` do not hold: half a step of these is 4.9e-4. Half shadows of 25 maps are approximate: 9e-4. */
+/* Cycles computes in floats. POV-Ray's files have 16 bits, and a reference is made of sixteen of them (light_picture of by_povray.py), a sum of
+ * what is within 1e-6. The layout `integer` has diffuse colours within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. Cycles' matrix
+ * to sRGB gives 1 in 1000 less blue beside red than ours. What is round is round for POV-Ray, and has 192 corners for us: highlights are off
+ * most. Panes let through what ten bits of `integer` do not hold: half a step of these is 4.9e-4. Half shadows of 25 maps are approximate: 9e-4. */
 static const Bounds cycles = {{2e-6, 6e-6, STEP}, {1e-4, 1e-4, STEP}},
                     cycles_srgb = {{2e-6, 8e-6, STEP}, {1e-3, 1e-3, STEP}},
                     cycles_lamp = {{1e-6, 1e-6, STEP}, {1e-5, 2e-5, STEP}},
                     cycles_sky = {{5e-4, 5e-4, STEP}, {1e-3, 1e-3, STEP}},
                     cycles_soft = {{1e-6, 1e-6, STEP}, {2e-3, 2e-3, STEP}},
-                    povray = {{1e-5, 2e-5, STEP}, {1e-4, 1e-4, STEP}},
-                    povray_round = {{1e-5, 2e-5, STEP}, {5e-4, 5e-4, STEP}},
-                    povray_panes = {{1e-5, 2e-5, STEP}, {1e-4, 5e-4, STEP}};
+                    povray = {{2e-6, 8e-6, STEP}, {2e-5, 1e-4, STEP}},
+                    povray_round = {{2e-6, 8e-6, STEP}, {5e-4, 5e-4, STEP}},
+                    povray_panes = {{2e-6, 3e-6, STEP}, {1e-5, 5e-4, STEP}};
 
 typedef struct {
     const char *scene;
