@@ -218,6 +218,59 @@ static void same_programs(void **state)
     }
 }
 
+/* A Phong beside a Principled: n = 30 and (.8, .4, .4) reflect .05 of the light along the normal, as wide as a roughness of .5. */
+static void a_phong_becomes_a_principled(void **state)
+{
+    (void)state;
+    static const char *const wholes[] = {"material: Mix\nmask: 0\na: %s\nb: { material: Principled }\n",
+                                         "material: Mix\nmask: 1\nb: { material: SideSwitch, frontShader: %s }\na: { material: Principled }\n",
+                                         "material: SideSwitch\nfrontShader: %s\nbackShader: { material: Principled }\n"};
+    static const double tint[] = {1, .5, .5}, reflectance = .05, rough = .5, metal = 0, model = MODEL_Principled, shininess = 4;
+    for (size_t i = 0; i < sizeof wholes / sizeof *wholes; i++) {
+        char text[512], *said;
+        snprintf(text, sizeof text, wholes[i], "{ material: Phong, specular: [0.8, 0.4, 0.4], shininess: 0.746045, ambient: 1 }");
+        char *values = values_at(text, "", &said);
+        expect_slot(values, "specular", tint, 3);
+        expect_slot(values, "reflectance", &reflectance, 1);
+        expect_slot(values, "roughness", &rough, 1);
+        expect_slot(values, "metalness", &metal, 1);
+        expect_slot(values, "model", &model, 1);
+        expect_slot(values, "ambient", (double[]){0, 0, 0}, 3);
+        expect_slot(values, "shininess", &shininess, 1);
+        assert_non_null(strstr(said, "[-Wmixed_models]"));
+        free(values);
+        free(said);
+    }
+    char *said;
+    free(values_at("material: AlgorithmSwitch\nguiShader: { material: Phong }\nraytracerShader: { material: Principled }\n", "", &said));
+    assert_string_equal(said, "");
+    free(said);
+}
+
+/* Layouts that cannot tell a Principled from a Phong. */
+static void layouts_without_the_model_are_doubted(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *layout;
+        bool doubted;
+    } layouts[] = {{"thesis", true}, {"radix", true}, {"integer", false}, {"compact", false}};
+    for (size_t i = 0; i < sizeof layouts / sizeof *layouts; i++)
+        for (int principled = 0; principled < 2; principled++) {
+            MatcOptions options = quick();
+            options.layout = layouts[i].layout;
+            MatcDocument *document = read_text(principled ? "material: Principled\nroughness: 0.25\n" : "material: Phong\n", &options);
+            MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+            const char *said = matc_program_diagnostics(program, MATC_TEXT);
+            const bool doubted = strstr(said, "has no place for roughness, reflectance, model: the surface is lit as a Phong") != NULL;
+            assert_true(matc_ok(program));
+            assert_int_equal(doubted, principled && layouts[i].doubted);
+            assert_true(!doubted || strstr(said, "test.yaml:1:11"));
+            matc_program_free(program);
+            matc_document_free(document);
+        }
+}
+
 /* Every row is a formula without a fault, every loss is said where it is one, and not where nothing is lost. */
 static void losses_are_said(void **state)
 {
@@ -256,6 +309,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(published_values),
         cmocka_unit_test(same_programs),
+        cmocka_unit_test(a_phong_becomes_a_principled),
+        cmocka_unit_test(layouts_without_the_model_are_doubted),
         cmocka_unit_test(losses_are_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

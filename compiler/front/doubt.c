@@ -288,12 +288,16 @@ static void doubt_unstored(const Doubts *d, const Node *node)
             diag_add(d->session, node->params[i].span, DIAG_unstored, param_table[row->first + i].name, row->name);
 }
 
-/* A Mix of materials one of which would move the surface; or whose slots mean other things. */
+/* A Mix of materials one of which would move the surface; or one material of two whose slots mean other things. */
 static void doubt_mixed(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
-    if (node->kind == KIND_MixMaterial && d->models[node->index] == ((1u << MODEL_Phong) | 1u << MODEL_Principled))
-        diag_add(d->session, node->span, DIAG_mixed_models);
+    unsigned models = 0;
+    for (int i = 0; i < row->count; i++)
+        if (param_table[row->first + i].type == PARAM_Material && node->params[i].kind == VALUE_node)
+            models |= d->models[node->params[i].node->index];
+    if (node->kind != KIND_AlgorithmSwitch && models == ((1u << MODEL_Phong) | 1u << MODEL_Principled))
+        diag_add(d->session, node->span, DIAG_mixed_models, node->kind == KIND_MixMaterial ? "Mix" : row->name);
     for (int i = 0; i < row->count; i++) {
         const Value *value = &node->params[i];
         if (node->kind == KIND_MixMaterial && param_table[row->first + i].type == PARAM_Material &&

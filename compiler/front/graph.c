@@ -43,16 +43,18 @@ bool graph_displaces(const Node *material)
     return d.height->kind == VALUE_node || d.vector->kind == VALUE_node;
 }
 
+/* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of an AlgorithmSwitch only the first is shown, and
+ * a missing front of a SideSwitch is grey. */
 static unsigned models_of(const Graph *graph, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
     unsigned models = 0;
     if (node->kind == KIND_Principled)
         return 1u << MODEL_Principled;
-    for (int i = 0; i < row->count; i++)
+    for (int i = 0; i < row->count && !(models && node->kind == KIND_AlgorithmSwitch); i++)
         if (param_table[row->first + i].type == PARAM_Material)
             models |= node->params[i].kind == VALUE_node ? graph->models[node->params[i].node->index] : 0;
-    return models ? models : 1u << MODEL_Phong;
+    return models >> MODEL_Principled & 1 ? 1u << MODEL_Principled : 1u << MODEL_Phong;
 }
 
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count)

@@ -114,7 +114,7 @@ typedef struct {
     struct Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     int def_count;
     int node_count;
-    unsigned *models; /* by node's index: 1 << Model of each surface model that a material shows */
+    unsigned *models; /* by node's index: 1 << Model of the surface model that a material shows */
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
     Names uniform_names; /* theirs, in the same order */

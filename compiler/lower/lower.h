@@ -172,6 +172,19 @@ Answer lower_waved(Lower *l, const Node *node, Answer f);
  * d/du' = d/du J00 + d/dv J10, d/dv' likewise. Tangents or slopes; GROUP_DU or GROUP_DV. */
 Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 
+/* A slot of any material, as its map makes it; `principled`: what is a Phong becomes a Principled. */
+Ref lower_value_slot(Lower *l, const Node *material, bool principled, Slot slot, const Env *env);
+/* The surface model of a material. */
+bool lower_is_principled(const Lower *l, const Node *material);
+/* What a Phong answers that a Principled is made of: the slot itself, the specular colour (vec3) and its exponent. */
+typedef struct {
+    Ref own, specular, exponent;
+} PhongSlots;
+/* The Principled that stands for a Phong beside another Principled in a Mix. Along the normal both reflect as much, s 2 / (n + 2) of a
+ * specular colour s and an exponent n, and as wide: roughness^4 = 2 / (n + 2). Ambient, diffuseTransparency and what goes with transparency are lost.
+ * n = 30 and s = (.8, .4, .4): reflectance .05, tint (1, .5, .5), roughness .5. */
+Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong);
+
 #define MAP(name, function, lowering, cost, doc)                                                                       \
     Answer lower_##name(Lower *l, const Node *node, Group group, const Env *env);
 #include "grammar/maps.def"

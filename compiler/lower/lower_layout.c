@@ -232,6 +232,19 @@ static void check_fixed(Lower *l, const LayoutRow *row, const Node *material, co
             diag_add(l->session, NO_SPAN, DIAG_layout_fixed, row->name, slot_table[row->fixed[i].slot].name);
 }
 
+/* A Principled in a layout that cannot tell it from a Phong: which of its slots are nowhere. */
+static void check_model(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
+{
+    Text slots = text_new(l->session->arena);
+    if (layout_has_slot(row, SLOT_model) || is_absent(l, material, SLOT_model, env))
+        return;
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (!layout_has_slot(row, (Slot)slot) && slot_class_table[slot].matters >> SLOT_model & 1 && !is_absent(l, material, (Slot)slot, env))
+            text_format(&slots, "%s, ", slot_table[slot].name);
+    text_put(&slots, slot_table[SLOT_model].name);
+    diag_add(l->session, material->span, DIAG_layout_model, row->name, slots.at);
+}
+
 void lower_layout(Lower *l, int number, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
@@ -241,6 +254,7 @@ void lower_layout(Lower *l, int number, const Node *material, const Env *env)
         return;
     }
     check_fixed(l, row, material, env);
+    check_model(l, row, material, env);
     const Packed packed = {&placement, material, env};
     for (int target = 0; target < layout_targets(row); target++)
         ir_output(l->ir, OUT_color, target,

@@ -17,8 +17,6 @@ static Ref nothing(Lower *l, Slot slot)
     return type_table[slot_table[slot].type].lanes == 1 ? build_float(l->ir, 0) : black(l);
 }
 
-static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env);
-
 typedef Ref LowerShader(Lower *l, const Node *material, Slot slot, const Env *env);
 typedef const Node *LowerSwitch(const Node *material, bool front);
 
@@ -191,98 +189,6 @@ Ref lower_SunSkyLight(Lower *l, const Node *m, Slot slot, const Env *env)
     return plain_slot(l, diffuse, build_float(l->ir, 0), slot, env);
 }
 
-/* What a mixed material answered: the same one may stand in a Mix twice, and in that again. */
-typedef struct SlotMemo {
-    Ref value;
-    int number; /* of its environment */
-} SlotMemo;
-
-static SlotMemo *remembered(Lower *l, const Node *m, Slot slot)
-{
-    const size_t count = (size_t)l->graph->node_count * SLOT_COUNT;
-    l->slots = l->slots ? l->slots : ARENA_ARRAY(l->session->arena, SlotMemo, count);
-    return &l->slots[(size_t)m->index * SLOT_COUNT + (size_t)slot];
-}
-
-/* A side of a Mix, as the slot's type; the costly behind a guard: nobody reads it where the other has all. */
-static Ref mixed_side(Lower *l, const Node *side, Slot slot, const Env *env, Ref shows)
-{
-    l->arms++;
-    Ref value = build_convert(l->ir, value_slot(l, side, slot, env), slot_table[slot].type);
-    l->arms--;
-    return l->cheap && blend_is_costly(l->ir, value) ? blend_guarded(l, shows, value) : value;
-}
-
-/* Phong's exponent as a roughness in (0, 1], in which equal steps look equal: that of the Beckmann lobe as wide, perceptually. */
-static Ref roughness_of(Ir *ir, Ref exponent)
-{
-    Ref alpha = build_div(ir, build_float(ir, 2), build_add(ir, exponent, build_float(ir, 2)));
-    return build_sqrt(ir, build_sqrt(ir, alpha));
-}
-
-static Ref exponent_from(Ir *ir, Ref roughness)
-{
-    Ref power = build_square(ir, build_square(ir, roughness));
-    Ref exponent = build_sub(ir, build_div(ir, build_float(ir, 2), power), build_float(ir, 2));
-    return build_clamp(ir, exponent, build_float(ir, 0), build_float(ir, MAX_EXPONENT));
-}
-
-/* Both sides in a space in which they are mixed, and back. */
-static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
-{
-    Ir *ir = l->ir;
-    Ref a = sides[0], b = sides[1];
-    switch (slot_mixing(slot)) {
-    case MIXING_EXPONENT:
-        a = roughness_of(ir, a);
-        return exponent_from(ir, build_mix(ir, a, roughness_of(ir, b), by));
-    case MIXING_DIRECTION:
-        a = build_call(ir, FN_safeNormalize, a);
-        b = build_call(ir, FN_safeNormalize, b);
-        break;
-    case MIXING_LINEAR:
-        break;
-    }
-    return build_mix(ir, a, b, by);
-}
-
-/* By a mask that is one of two within the pixel: the mean of both. */
-static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int depth)
-{
-    Ir *ir = l->ir;
-    const Split *split = slot_mixing(slot) == MIXING_EXPONENT ? mask.split : NULL;
-    if (split && depth > 0) {
-        Ref a = mixed_by(l, slot, sides, split->a, depth - 1), b = mixed_by(l, slot, sides, split->b, depth - 1);
-        return answer_mean(l, split->by, a, b);
-    }
-    Ref red = build_swizzle(ir, mask.value, "x");
-    return mixed(l, slot, sides, build_clamp(ir, red, build_float(ir, 0), build_float(ir, 1)));
-}
-
-static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
-{
-    Ir *ir = l->ir;
-    const Answer mask = lower_answer(l, lower_param_node(m, P_MixMaterial_mask), GROUP_R, env);
-    Ref red = build_swizzle(ir, mask.value, "x"), zero = build_float(ir, 0), one = build_float(ir, 1);
-    const double *known = ir_known(ir, red);
-    const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);
-    if (l->cheap && known && (*known <= 0 || *known >= 1))
-        return value_slot(l, *known <= 0 ? a : b, slot, env);
-    Ref first = mixed_side(l, a, slot, env, build_lt(ir, red, one));
-    Ref second = mixed_side(l, b, slot, env, build_lt(ir, zero, red));
-    return first == second ? first : mixed_by(l, slot, (Ref[]){first, second}, mask, MOST_SPLITS);
-}
-
-Ref lower_MixMaterial(Lower *l, const Node *m, Slot slot, const Env *env)
-{
-    const SlotMemo *found = remembered(l, m, slot);
-    if (found->value && found->number == env->number)
-        return found->value;
-    Ref value = mix_of(l, m, slot, env);
-    *remembered(l, m, slot) = (SlotMemo){value, env->number};
-    return value;
-}
-
 /* The material of a side. A missing back is as the front; a missing front stays missing. */
 const Node *lower_choose_SideSwitch(const Node *m, bool front)
 {
@@ -325,12 +231,26 @@ static Ref side_slot(Lower *l, const Node *m, Slot slot, const Env *env)
     return m ? shaders[m->kind](l, m, slot, env) : missing_slot(l, slot, env);
 }
 
-static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+bool lower_is_principled(const Lower *l, const Node *m) { return m && l->graph->models[m->index] >> MODEL_Principled & 1; }
+
+/* What is no switch, as a Principled. */
+static Ref side_as_principled(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    if (lower_is_principled(l, m))
+        return side_slot(l, m, slot, env);
+    const Ref own = side_slot(l, m, slot, env), specular = side_slot(l, m, SLOT_specular, env);
+    const PhongSlots phong = {own, build_convert(l->ir, specular, TYPE_vec3), side_slot(l, m, SLOT_shininess, env)};
+    return lower_principled_of_phong(l, slot, &phong);
+}
+
+Ref lower_value_slot(Lower *l, const Node *m, bool principled, Slot slot, const Env *env)
 {
     const Node *front = seen_from(m, true), *back = seen_from(m, false);
+    typedef Ref SideSlot(Lower *l, const Node *m, Slot slot, const Env *env);
+    SideSlot *side = principled ? side_as_principled : side_slot;
     if (front == back)
-        return side_slot(l, front, slot, env);
-    return both_sides(l, env, REFS(l->ir, side_slot(l, front, slot, env), side_slot(l, back, slot, env)));
+        return side(l, front, slot, env);
+    return both_sides(l, env, REFS(l->ir, side(l, front, slot, env), side(l, back, slot, env)));
 }
 
 /* In eye space: the interpolated normal comes so from the vertex program; any other is turned. */
@@ -379,7 +299,7 @@ Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
     Ir *ir = l->ir;
     ir->origin = (uint32_t)(ORIGIN_SLOTS + slot);
     Ref value = slot == SLOT_normal ? finished_normal(l, normal_of(l, material, env, false), env)
-                                    : value_slot(l, material, slot, env);
+                                    : lower_value_slot(l, material, lower_is_principled(l, material), slot, env);
     value = build_convert(ir, value, slot_table[slot].type);
     lower_mark_head(ir, value, ir->origin);
     return value;

@@ -69,3 +69,36 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
         return build_all(ir, slot_table[slot].type, slot_table[slot].absent);
     }
 }
+
+/* Where a tint has no colour to be of, it is white. */
+static const double LEAST_TINT = 1e-6;
+
+Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
+{
+    Ir *ir = l->ir;
+    Ref share = build_div(ir, build_float(ir, 2), build_add(ir, phong->exponent, build_float(ir, 2)));
+    Ref x = build_lane(ir, phong->specular, 0), y = build_lane(ir, phong->specular, 1),
+        z = build_lane(ir, phong->specular, 2);
+    Ref most = build_max(ir, build_max(ir, x, y), z), least = build_float(ir, LEAST_TINT);
+    switch (slot) {
+    case SLOT_normal:
+    case SLOT_diffuse:
+    case SLOT_alpha:
+    case SLOT_transparency:
+    case SLOT_emissive:
+    case SLOT_ior:
+        return phong->own;
+    case SLOT_specular:
+        most = build_max(ir, most, build_float(ir, 0));
+        return build_div(ir, build_add(ir, phong->specular, build_splat(ir, least, TYPE_vec3)),
+                         build_splat(ir, build_add(ir, most, least), TYPE_vec3));
+    case SLOT_roughness:
+        return build_sqrt(ir, build_sqrt(ir, share));
+    case SLOT_reflectance:
+        return build_mul(ir, build_max(ir, most, build_float(ir, 0)), share);
+    case SLOT_model:
+        return build_float(ir, MODEL_Principled);
+    default:
+        return build_all(ir, slot_table[slot].type, slot_table[slot].absent);
+    }
+}

@@ -243,6 +243,38 @@ static void mix_slot(const Environment *environment, Slot slot, const SlotValues
     }
 }
 
+static bool is_principled(const Environment *environment, const Node *material)
+{
+    const unsigned *models = environment->oracle->graph->models;
+    return material && models && models[material->index] >> MODEL_Principled & 1;
+}
+
+/* A Phong's slots become those of the Principled that stands for it: it reflects as much along the normal, and as wide. */
+static void as_principled(SlotValues *side)
+{
+    static const double LEAST_TINT = 1e-6;
+    const double *specular = side->lane[SLOT_specular], share = 2 / (side->lane[SLOT_shininess][0] + 2);
+    const double most = fmax(fmax(specular[0], fmax(specular[1], specular[2])), 0);
+    static const Slot lost[] = {SLOT_shininess, SLOT_transparencyShininess, SLOT_interpolatedTransparency, SLOT_diffuseTransparency,
+                                SLOT_ambient};
+    for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
+        for (int lane = 0; lane < type_table[slot_table[lost[i]].type].lanes; lane++)
+            side->lane[lost[i]][lane] = slot_table[lost[i]].absent;
+    for (int lane = 0; lane < 3; lane++)
+        side->lane[SLOT_specular][lane] = (side->lane[SLOT_specular][lane] + LEAST_TINT) / (most + LEAST_TINT);
+    side->lane[SLOT_roughness][0] = sqrt(sqrt(share));
+    side->lane[SLOT_reflectance][0] = most * share;
+    side->lane[SLOT_model][0] = MODEL_Principled;
+}
+
+/* A side by the model that the whole has. */
+static void answer_as(Environment *environment, const Node *whole, const Node *side, SlotValues *result)
+{
+    answer(environment, side, result);
+    if (is_principled(environment, whole) && result->lane[SLOT_model][0] != MODEL_Principled)
+        as_principled(result);
+}
+
 /* A material that stands in a Mix twice, and so on, is asked as often: what that takes is bounded as all work is. */
 void oracle_MixMaterial(Environment *environment, const Node *material, SlotValues *result)
 {
@@ -251,8 +283,8 @@ void oracle_MixMaterial(Environment *environment, const Node *material, SlotValu
     if (oracle_spent(environment->oracle))
         return;
     const double red = oracle_ask_param(environment, material, P_MixMaterial_mask, channel_id(GROUP_R, 0));
-    answer(environment, material_of(material, P_MixMaterial_a), &sides[0]);
-    answer(environment, material_of(material, P_MixMaterial_b), &sides[1]);
+    answer_as(environment, material, material_of(material, P_MixMaterial_a), &sides[0]);
+    answer_as(environment, material, material_of(material, P_MixMaterial_b), &sides[1]);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         mix_slot(environment, (Slot)slot, sides, fmin(fmax(red, 0), 1), result);
 }
@@ -265,6 +297,8 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
         shaders[shader->kind](environment, shader, result);
     else
         missing(result);
+    if (is_principled(environment, material) && result->lane[SLOT_model][0] != MODEL_Principled)
+        as_principled(result);
 }
 
 /* A shape is the same for all who look at it: where it is asked for, the direction to the viewer is the normal. */

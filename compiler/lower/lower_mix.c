@@ -1,0 +1,110 @@
+/* MixMaterial: two materials by a mask, each slot in the space in which its steps look equal; a Phong beside a Principled as one. */
+#include "compiler/lower/answer.h"
+#include "compiler/lower/blend.h"
+#include "compiler/lower/footprint.h"
+
+enum { MAX_EXPONENT = 65504 };
+
+/* What a mixed material answered: the same one may stand in a Mix twice, and in that again. */
+typedef struct SlotMemo {
+    Ref value;
+    int number; /* of its environment */
+} SlotMemo;
+
+static SlotMemo *remembered(Lower *l, const Node *m, Slot slot)
+{
+    const size_t count = (size_t)l->graph->node_count * SLOT_COUNT;
+    l->slots = l->slots ? l->slots : ARENA_ARRAY(l->session->arena, SlotMemo, count);
+    return &l->slots[(size_t)m->index * SLOT_COUNT + (size_t)slot];
+}
+
+/* A side of a Mix by the model that the Mix has. */
+static Ref side_of_mix(Lower *l, const Node *mix, const Node *side, Slot slot, const Env *env)
+{
+    return lower_value_slot(l, side, lower_is_principled(l, mix), slot, env);
+}
+
+/* A Mix's side that is seen where `shows`. */
+typedef struct {
+    const Node *mix, *side;
+    Ref shows;
+} MixedSide;
+
+/* A side of a Mix, as the slot's type; the costly behind a guard: nobody reads it where the other has all. */
+static Ref mixed_side(Lower *l, const MixedSide *of, Slot slot, const Env *env)
+{
+    l->arms++;
+    Ref value = build_convert(l->ir, side_of_mix(l, of->mix, of->side, slot, env), slot_table[slot].type);
+    l->arms--;
+    return l->cheap && blend_is_costly(l->ir, value) ? blend_guarded(l, of->shows, value) : value;
+}
+
+/* Phong's exponent as a roughness in (0, 1], in which equal steps look equal: that of the Beckmann lobe as wide, perceptually. */
+static Ref roughness_of(Ir *ir, Ref exponent)
+{
+    Ref alpha = build_div(ir, build_float(ir, 2), build_add(ir, exponent, build_float(ir, 2)));
+    return build_sqrt(ir, build_sqrt(ir, alpha));
+}
+
+static Ref exponent_from(Ir *ir, Ref roughness)
+{
+    Ref power = build_square(ir, build_square(ir, roughness));
+    Ref exponent = build_sub(ir, build_div(ir, build_float(ir, 2), power), build_float(ir, 2));
+    return build_clamp(ir, exponent, build_float(ir, 0), build_float(ir, MAX_EXPONENT));
+}
+
+/* Both sides in a space in which they are mixed, and back. */
+static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
+{
+    Ir *ir = l->ir;
+    Ref a = sides[0], b = sides[1];
+    switch (slot_mixing(slot)) {
+    case MIXING_EXPONENT:
+        a = roughness_of(ir, a);
+        return exponent_from(ir, build_mix(ir, a, roughness_of(ir, b), by));
+    case MIXING_DIRECTION:
+        a = build_call(ir, FN_safeNormalize, a);
+        b = build_call(ir, FN_safeNormalize, b);
+        break;
+    case MIXING_LINEAR:
+        break;
+    }
+    return build_mix(ir, a, b, by);
+}
+
+/* By a mask that is one of two within the pixel: the mean of both. */
+static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int depth)
+{
+    Ir *ir = l->ir;
+    const Split *split = slot_mixing(slot) == MIXING_EXPONENT ? mask.split : NULL;
+    if (split && depth > 0) {
+        Ref a = mixed_by(l, slot, sides, split->a, depth - 1), b = mixed_by(l, slot, sides, split->b, depth - 1);
+        return answer_mean(l, split->by, a, b);
+    }
+    Ref red = build_swizzle(ir, mask.value, "x");
+    return mixed(l, slot, sides, build_clamp(ir, red, build_float(ir, 0), build_float(ir, 1)));
+}
+
+static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    Ir *ir = l->ir;
+    const Answer mask = lower_answer(l, lower_param_node(m, P_MixMaterial_mask), GROUP_R, env);
+    Ref red = build_swizzle(ir, mask.value, "x"), zero = build_float(ir, 0), one = build_float(ir, 1);
+    const double *known = ir_known(ir, red);
+    const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);
+    if (l->cheap && known && (*known <= 0 || *known >= 1))
+        return side_of_mix(l, m, *known <= 0 ? a : b, slot, env);
+    Ref first = mixed_side(l, &(MixedSide){m, a, build_lt(ir, red, one)}, slot, env);
+    Ref second = mixed_side(l, &(MixedSide){m, b, build_lt(ir, zero, red)}, slot, env);
+    return first == second ? first : mixed_by(l, slot, (Ref[]){first, second}, mask, MOST_SPLITS);
+}
+
+Ref lower_MixMaterial(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    const SlotMemo *found = remembered(l, m, slot);
+    if (found->value && found->number == env->number)
+        return found->value;
+    Ref value = mix_of(l, m, slot, env);
+    *remembered(l, m, slot) = (SlotMemo){value, env->number};
+    return value;
+}
