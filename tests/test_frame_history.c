@@ -306,8 +306,8 @@ static void lamps_that_change_are_followed(void **state)
 static void ways_and_wants(void **state)
 {
     (void)state;
-    static const char *const keys[] = {"samples: 1", "samples: 4"};
-    for (int i = 0; i < 2; i++) {
+    static const char *const keys[] = {"samples: 1", "samples: 4", "samples: 1, filter: atrous, filterSize: 8"};
+    for (int i = 0; i < 3; i++) {
         open_rig(&one, keys[i], "light");
         char *graph = frame_graph(one.render);
         assert_true((strstr(graph, " rays history not run: nothing to do\n") == NULL) == (i == 1));

@@ -102,6 +102,8 @@ static void methods_against_rays(void **state)
                    {"method: hybrid", 0.0125, 0.05},
                    {"method: hybrid, rays: 16, sequence: hammersley", 0.0095, 0.07},
                    {"method: hybrid, rays: 64", 0.0082, 0.042},
+                   {"method: hybrid, filter: atrous", 0.0135, 0.068},
+                   {"method: hybrid, filter: atrous, filterSize: 8", 0.0145, 0.058},
                    {"method: hybrid, rays: 32, resolution: half", 0.018, 0.12},
                    {"method: hybrid, rays: 64, resolution: quarter", 0.038, 0.09}};
     static const double radii[2] = {.5, 4};

@@ -19,9 +19,17 @@ static const char body[] =
     "}\n";
 
 /* The first is what the others are compared with. */
-static const char *const ways[] = {
-    "samples: 16",          "filter: none", "filter: none, history: 16", "rays: 8",
-    "rays: 8, history: 16", "rays: 4",      "rays: 4, history: 16",      "rays: 2, history: 16"};
+static const char *const ways[] = {"samples: 16",
+                                   "filter: none",
+                                   "filter: none, history: 16",
+                                   "rays: 8",
+                                   "rays: 8, history: 16",
+                                   "rays: 4",
+                                   "rays: 4, history: 16",
+                                   "rays: 2, history: 16",
+                                   "rays: 8, filter: atrous",
+                                   "rays: 8, filter: atrous, history: 16",
+                                   "rays: 4, filter: atrous, history: 16"};
 enum { WAYS = sizeof ways / sizeof *ways };
 
 typedef struct {
@@ -78,10 +86,10 @@ bool bench_indirect_path(GlContext *gl)
             compare(&paths[i], &paths[0], k == 0);
         }
     printf("\na camera's path of %d frames, %d x %d: openness, root of the mean square against %s, and of what that "
-           "differs by from frame to frame\n%-28s %10s %10s\n",
+           "differs by from frame to frame\n%-38s %10s %10s\n",
            STEPS, EDGE, EDGE, ways[0], "keys", "off", "flicker");
     for (int i = 1; fine && i < WAYS; i++)
-        printf("%-28s %10.4f %10.4f\n", ways[i], sqrt(paths[i].off), sqrt(paths[i].flicker));
+        printf("%-38s %10.4f %10.4f\n", ways[i], sqrt(paths[i].off), sqrt(paths[i].flicker));
     if (!fine)
         fprintf(stderr, "matbench: %s\n", gl->error);
     for (int i = 0; i < WAYS; i++) {
