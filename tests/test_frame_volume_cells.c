@@ -94,6 +94,45 @@ static void ends_are_near(void **state)
     shape_free(&knot);
 }
 
+/* -- behind a cut */
+
+/* A roof that is .98 radians steep, with a sheet .08 below it that it covers, and a beam over both, whose sides cross segments of a texel each: beyond the beam's
+ * end the roof's own surface goes on by its slope. As high as at the centre beyond, it would be up to .39 too low, and the sheet lit. */
+#define ROOF                                                                                                           \
+    "image: { width: 96, height: 64 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"                           \
+    "camera: { camera: Orthographic, position: [-.17845, 0, -.119755], target: [-1.00845, 0, -.676755], "              \
+    "up: [0, 1, 0], size: 1.8 }\nshadowMaps: { size: 16, volume: silhouette }\n"                                       \
+    "lights: [{ light: Directional, direction: [0, 0, -1], shadows: hybrid }]\nobjects:\n"                             \
+    "- { object: Box, size: [6, 4, .4], material: m, transform: { rotation: [0, .98, 0] } }\n"                         \
+    "- { object: Parallelogram, u: [2.7851, 0, -4.1525], v: [0, 3.6, 0], material: m, transform: { translation: "      \
+    "[-1.6251, -1.8, 1.9203] } }\n"                                                                                    \
+    "- { object: Box, size: [%g, 3, .3], material: m, transform: { translation: [0, 0, 4.5] } }\n"
+
+static void the_slope_goes_on_behind_a_cut(void **state)
+{
+    (void)state;
+    ShadowPair pair;
+    int seen = 0, lit = 0;
+    shadow_pair_open(GL_KIND_osmesa, &pair);
+    for (int i = 0; i < 4; i++) {
+        char text[2048];
+        MatcDocument *document;
+        snprintf(text, sizeof text, ROOF, .6 + .1 * i);
+        Scene *scene = frame_scene(text, &pair.options, &document);
+        float *shares = shadow_pair_shares(&pair, scene);
+        for (int pixel = 0; pixel < scene->width * scene->height; pixel++) {
+            seen += shares[pixel] >= 0;
+            lit += shares[pixel] > .5f;
+        }
+        free(shares);
+        frame_forget(scene, document);
+    }
+    shadow_pair_close(&pair);
+    print_message("below the roof %d pixels, %d of them lit\n", seen, lit);
+    assert_true(seen > 10000);
+    assert_int_equal(lit, 0);
+}
+
 /* -- what is transparent */
 
 #define SEEN                                                                                                           \
@@ -215,9 +254,9 @@ static void other_paths_are_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(triangles_close_cells), cmocka_unit_test(ends_are_near),
-                                       cmocka_unit_test(glass_is_lit_as_floors_are),
-                                       cmocka_unit_test(what_changes_is_as_new),
-                                       cmocka_unit_test(other_paths_are_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(triangles_close_cells),          cmocka_unit_test(ends_are_near),
+        cmocka_unit_test(the_slope_goes_on_behind_a_cut), cmocka_unit_test(glass_is_lit_as_floors_are),
+        cmocka_unit_test(what_changes_is_as_new),         cmocka_unit_test(other_paths_are_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
