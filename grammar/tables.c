@@ -265,6 +265,8 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #define LETTER_Image      ""
 #define LETTER_Items      ""
 #define LETTER_Maps       ""
+#define LETTER_List       ""
+#define LETTER_Axis       ""
 #define LETTER_Formula    ""
 #define LETTER_ColorSpace ""
 #define LETTER_Channel    ""

@@ -86,6 +86,7 @@ typedef enum {
     PARAM_Image,     /* a picture file */
     PARAM_Maps,      /* maps by name */
     PARAM_Formula,   /* a formula; compiler/formula/ */
+    PARAM_List,      /* maps one after the other */
     PARAM_Items,     /* a list of blend items */
 /* one of the names of a list of words.def */
 #define WORDS(list) PARAM_##list,

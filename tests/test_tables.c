@@ -186,6 +186,8 @@ static void every_parameter_is_tried(void **state)
             assert_true(tries(row, "{ material: RGBA }") && !tries(row, "0.5"));
         else if (row->type == PARAM_Bool)
             assert_true(tries(row, "true") && tries(row, "false") && !tries(row, "2"));
+        else if (row->type == PARAM_List)
+            assert_true(tries(row, "[1, { map: Granite }]") && tries(row, "[]") && !tries(row, "[true]") && !tries(row, "1"));
         else
             assert_false(tries(row, "[1, 2]"));
         if (param_is_word(row))

@@ -12,6 +12,7 @@ const char *describe_type(const ParamRow *param)
         [PARAM_Map] = "map",     [PARAM_Material] = "material",   [PARAM_Float] = "number", [PARAM_Int] = "whole",
         [PARAM_Bool] = "bool",   [PARAM_Vec3] = "3 numbers",      [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
         [PARAM_Items] = "items", [PARAM_Transform] = "transform",  [PARAM_Formula] = "formula", [PARAM_Maps] = "maps",
+        [PARAM_List] = "list of maps",
     };
     return param_is_word(param) ? "name" : param->kind == KIND_Constant ? "1-4 numbers" : names[param->type];
 }
@@ -68,6 +69,8 @@ static const char *sample_value(const ParamRow *param)
         return "mix(a, b, u)";
     case PARAM_Maps:
         return "{ a: black, b: white }";
+    case PARAM_List:
+        return "[black, white]";
     case PARAM_Items:
         return "[{ value: 0, input: black }, { value: 1, input: white }]";
     default:

@@ -82,6 +82,7 @@ static const char fixed_definitions[] =
     "        }\n"
     "      }\n"
     "    },\n"
+    "    \"mapList\": {\"type\": [\"array\", \"null\"], \"items\": {\"$ref\": \"#/$defs/map\"}},\n"
     "    \"transform\": {\n"
     "      \"anyOf\": [\n"
     "        {\"type\": \"null\"},\n"

@@ -15,6 +15,7 @@ static const char *definition_of(const ParamRow *param)
         [PARAM_Map] = "map",     [PARAM_Material] = "anyMaterial", [PARAM_Float] = "number", [PARAM_Int] = "whole",
         [PARAM_Bool] = "bool",   [PARAM_Vec3] = "vector",          [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
         [PARAM_Items] = "items", [PARAM_Transform] = "transform",   [PARAM_Formula] = "formula", [PARAM_Maps] = "maps",
+        [PARAM_List] = "mapList",
     };
     return param_is_word(param)           ? describe_word_list(param->type)
            : param->kind == KIND_Constant ? "constantOrParam"

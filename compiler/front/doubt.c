@@ -238,6 +238,8 @@ static void doubt_lack(const Doubts *d, const Node *node)
             diag_add(d->session, node->span, DIAG_no_picture, row->name, param->name);
         if (param->type == PARAM_Formula && value->kind != VALUE_formula)
             diag_add(d->session, node->span, DIAG_no_formula, row->name, param->name);
+        if (param->type == PARAM_List && (value->kind != VALUE_items || !value->items->count))
+            diag_add(d->session, node->span, DIAG_no_maps, row->name, param->name);
         if (param->type == PARAM_Items && (value->kind != VALUE_items || !value->items->count))
             diag_add(d->session, node->span, DIAG_no_items, row->name, param->name);
     }

@@ -57,72 +57,6 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
 
 static const char *param_name(const void *kind, int i) { return param_table[((const KindRow *)kind)->first + i].name; }
 
-static const char *item_key(const void *user, int i)
-{
-    (void)user;
-    return i ? "input" : "value";
-}
-
-/* item: { value: number, input: map } */
-static bool resolve_item(Resolver *r, Tree *tree, Item *item)
-{
-    *item = (Item){.span = tree->span};
-    item->value = (Value){.kind = VALUE_number, .type = TYPE_float};
-    if (tree->kind != TREE_object) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, "an item", "`{ value: number, input: map }`",
-                 tree_describe(r->session, tree));
-        return false;
-    }
-    bool fine = true, fault = false;
-    for (uint32_t i = 0; i < tree->count; i++) {
-        const Member *member = &tree->members[i];
-        if (!strcmp(member->key, "value")) {
-            fine &= resolve_number(r, "value", member->value, (LaneCount){1, 1}, &item->value);
-        } else if (!strcmp(member->key, "input")) {
-            item->input = resolve_map(r, member->value, &fault);
-        } else {
-            if (!mistake_key(r->session, member->span, member->key))
-                diag_add(r->session, member->span, DIAG_item_keys, member->key,
-                         diag_suggest(r->session, member->key, item_key, NULL, 2));
-            fine = false;
-        }
-    }
-    return fine && !fault;
-}
-
-static bool resolve_items(Resolver *r, Tree *tree, Value *value)
-{
-    if (tree->kind != TREE_list) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, "blend",
-                 "a list of items, `[{ value: 0, input: black }, { value: 1, input: white }]`",
-                 tree_describe(r->session, tree));
-        return false;
-    }
-    if (tree->made == MADE_items) {
-        *value = (Value){.kind = VALUE_items, .items = tree->items_made};
-        return true;
-    }
-    Item *item = ARENA_ARRAY(r->session->arena, Item, tree->count);
-    Items *items = ARENA_NEW(r->session->arena, Items);
-    *items = (Items){(int)tree->count, item};
-    bool fine = true;
-    const Item *descends = NULL;
-    for (uint32_t i = 0; i < tree->count; i++) {
-        fine &= resolve_item(r, tree->items[i], &item[i]);
-        if (fine && i && item[i].value.kind == VALUE_number && item[i - 1].value.kind == VALUE_number)
-            if (!descends && item[i].value.number[0] < item[i - 1].value.number[0])
-                descends = &item[i];
-    }
-    if (descends)
-        diag_add(r->session, descends->span, DIAG_unordered_items);
-    *value = (Value){.kind = VALUE_items, .items = items};
-    if (fine) {
-        tree->items_made = items;
-        tree->made = MADE_items;
-    }
-    return fine;
-}
-
 static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
     bool fault = false;
@@ -135,6 +69,8 @@ static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *
 {
     if (row->type == PARAM_Maps) /* with the formula that reads them */
         return true;
+    if (row->type == PARAM_List)
+        return resolve_map_list(r, row->name, tree, value);
     return row->type == PARAM_Items ? resolve_items(r, tree, value) : resolve_node_param(r, row, tree, value);
 }
 
@@ -145,7 +81,8 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         *value = resolve_null(r, row, tree);
         return true;
     }
-    const bool holds = row->type == PARAM_Map || row->type == PARAM_Material || row->type == PARAM_Items || row->type == PARAM_Maps;
+    const bool holds = row->type == PARAM_Map || row->type == PARAM_Material || row->type == PARAM_Items ||
+                       row->type == PARAM_Maps || row->type == PARAM_List;
     const bool fine = holds ? resolve_holder(r, row, tree, value) : resolve_leaf(r, row, tree, value);
     value->given = true;
     value->span = tree->span;

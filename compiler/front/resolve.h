@@ -68,6 +68,9 @@ Value resolve_default(Resolver *r, const ParamRow *row);
 /* translations.def makes a Principled of such a material, whose parameters are resolved; NULL and a diagnostic. resolve_translation.c */
 bool resolve_is_foreign(Kind kind);
 const Node *resolve_translate(Resolver *r, Node of);
+/* A list of items, and one of maps. resolve_items.c */
+bool resolve_items(Resolver *r, Tree *tree, Value *value);
+bool resolve_map_list(Resolver *r, const char *name, Tree *tree, Value *value);
 /* The value of one parameter. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
 /* Of one that holds neither maps nor materials; what stands for null. resolve_leaf.c */

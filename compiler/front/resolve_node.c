@@ -87,7 +87,7 @@ static bool measure(Resolver *r, Node *node)
             below(node, value->items->item[k].input);
     }
     node->depth += node->kind == KIND_Expression ? formula_depth(node) : 0;
-    node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D;
+    node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D || node->kind == KIND_Triplanar;
     node->steps |= kind_table[node->kind].step_lanes > 0;
     if (node->depth > LIMIT_GRAPH_DEPTH)
         diag_add(r->session, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);

@@ -11,7 +11,7 @@ typedef enum {
 } TreeKind;
 
 /* What resolve made of a subtree, so that a shared one is made once. */
-typedef enum { MADE_nothing, MADE_node, MADE_wave, MADE_items } Made;
+typedef enum { MADE_nothing, MADE_node, MADE_wave, MADE_items, MADE_list } Made;
 
 typedef struct Tree Tree;
 typedef struct {

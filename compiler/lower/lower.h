@@ -10,7 +10,7 @@ typedef struct {
     Ref front;   /* bool: seen from the front */
     bool seen;   /* there is a viewer */
     Ref eye_n;   /* the root normal in eye space, 0 if only eyeFromWorld can tell */
-    int number;  /* for the memo: of how many filters it is the inside */
+    int number;  /* for the memo: of how many filters it is the inside, and at which place; Place */
     bool relief; /* for the memo too: within a displacement, whose slope by u and v is asked; relief.c */
 } Env;
 
@@ -49,6 +49,13 @@ typedef struct {
     Slopes column[2];      /* of several: what becomes of (1, 0) and of (0, 1) */
 } Turn;
 
+/* Where a Triplanar asks its maps: a texture coordinate, in an environment of that number. */
+enum { PLACE_STRIDE = 8 }; /* above LIMIT_FILTERS: an environment's number is PLACE_STRIDE places + filters */
+typedef struct {
+    Ref uv;
+    int outer;
+} Place;
+
 /* Maps that --aa=auto may average, as lowering met them. */
 typedef struct {
     const Node **at;
@@ -82,6 +89,8 @@ typedef struct {
     size_t sum_room;
     Ref *to_differ; /* stack of values whose derivatives are under way; slope.c */
     size_t to_differ_count, to_differ_room;
+    Place *places; /* of all Triplanars; lower_triplanar.c */
+    size_t place_count, place_room;
     Turn *turns; /* by node; lower_normal.c */
     size_t turn_room;
     struct SlotMemo *slots; /* by node and slot: what mixed materials answered; lower_material.c */

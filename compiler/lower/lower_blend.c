@@ -7,8 +7,12 @@
  *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7))
  *     guards:  a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what is made of it needs no branch
  *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for guards whose values may be of any size
- * Over a pixel's box of t: blend.c. Slopes of the last three: blend_slope.c. */
+ * Over a pixel's box of t: blend.c. Slopes of the last three: blend_slope.c.
+ * Ramps are Blends of two items, at 0 and at 1. A Switch over a box is one of two items at every border, alike below and above it:
+ *
+ *     maps a, b, c: items a and b at 1/2, b and c at 3/2. A pixel whose number is in [1, 2] is (b + c) / 2 */
 #include "compiler/lower/blend.h"
+#include "compiler/lower/answer.h"
 #include "compiler/lower/footprint.h"
 #include <string.h>
 
@@ -222,6 +226,98 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     }
     Answer answer = blend_split(l, x, stops, count, MOST_SPLITS);
     if (l->relief) /* a Blend in a displacement is no more one of two: another one along it goes by its slope */
+        answer.split = NULL;
+    return answer;
+}
+
+/* From one answer to another, where t goes from 0 to 1. */
+static Answer ramp(Lower *l, Answer t, Answer a, Answer b)
+{
+    const Type type = answer_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
+    a = answer_widened(l, a, type);
+    b = answer_widened(l, b, type);
+    Stop *stops = ARENA_ARRAY(l->session->arena, Stop, 2); /* slopes are asked for later */
+    stops[0] = (Stop){build_float(l->ir, 0), a.value, a.variance};
+    stops[1] = (Stop){build_float(l->ir, 1), b.value, b.variance};
+    return blend_at(l, t, stops, 2);
+}
+
+Answer lower_Ramp(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const bool along_v = node_param(node, P_Ramp_along)->number[0] == WORD_Axis_v;
+    Answer t = answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Ramp_input), GROUP_U, env), along_v ? "y" : "x");
+    Answer a = lower_arm(l, lower_param_node(node, P_Ramp_a), group, env);
+    return ramp(l, t, a, lower_arm(l, lower_param_node(node, P_Ramp_b), group, env));
+}
+
+Answer lower_CornerRamp(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Answer uvw = lower_answer(l, lower_param_node(node, P_CornerRamp_input), GROUP_U, env);
+    const Answer s = answer_swizzle(l, uvw, "x"), t = answer_swizzle(l, uvw, "y");
+    Answer corner[4];
+    for (int i = 0; i < 4; i++)
+        corner[i] = lower_arm(l, lower_param_node(node, P_CornerRamp_bottomLeft + i), group, env);
+    const Answer bottom = ramp(l, s, corner[0], corner[1]), top = ramp(l, s, corner[2], corner[3]);
+    return ramp(l, t, bottom, top);
+}
+
+/* Maps first..last, of which a number near enough chooses one. */
+typedef struct {
+    Ref number;
+    const Answer *maps;
+    int first, last;
+} Choices;
+
+/* At a point, by halving. */
+static Answer chosen_of(Lower *l, Choices c)
+{
+    if (c.first == c.last)
+        return c.maps[c.first];
+    const int middle = c.first + (c.last - c.first) / 2;
+    Ref below = build_lt(l->ir, c.number, build_float(l->ir, middle + .5));
+    const Answer low = chosen_of(l, (Choices){c.number, c.maps, c.first, middle});
+    return answer_either(l, below, low, chosen_of(l, (Choices){c.number, c.maps, middle + 1, c.last}));
+}
+
+/* Over a box of the number; of more maps than a Blend is averaged of, at its middle. */
+static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
+{
+    Ref edge = 2 * (count - 1) <= MOST_AREA_ITEMS ? footprint_edges(l, number) : 0;
+    Stop *stops = ARENA_ARRAY(l->session->arena, Stop, 2 * count);
+    Type type = TYPE_float;
+    if (!edge || count == 1)
+        return chosen_of(l, (Choices){number.value, maps, 0, count - 1});
+    for (int i = 0; i < count; i++)
+        type = i ? answer_common_type(type, ir_type(l->ir, maps[i].value)) : ir_type(l->ir, maps[i].value);
+    for (int i = 0; i < 2 * (count - 1); i++) {
+        const Answer wide = answer_widened(l, maps[(i + 1) / 2], type);
+        stops[i] = (Stop){build_float(l->ir, i / 2 + .5), wide.value, wide.variance};
+    }
+    return blend_at(l, number, stops, 2 * (count - 1));
+}
+
+/* Where the number is one of two within the pixel, the mean of what both choose; in a relief it chooses at the point. */
+static Answer chosen_split(Lower *l, Answer x, const Answer *maps, int count, int depth)
+{
+    if (!x.split || depth == 0 || l->relief)
+        return chosen_at(l, answer_swizzle(l, x, "x"), maps, count);
+    const Answer a = chosen_split(l, x.split->a, maps, count, depth - 1);
+    const Answer b = chosen_split(l, x.split->b, maps, count, depth - 1);
+    return answer_either(l, x.split->by, a, b);
+}
+
+Answer lower_Switch(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Value *list = node_param(node, P_Switch_maps);
+    const int count = list->kind == VALUE_items ? list->items->count : 0;
+    if (!count || l->failed)
+        return answer_as_group(l, answer_of(build_float(l->ir, 0)), group);
+    const Answer x = lower_answer(l, lower_param_node(node, P_Switch_which), GROUP_R, env);
+    Answer *maps = ARENA_ARRAY(l->session->arena, Answer, count);
+    for (int i = 0; i < count; i++)
+        maps[i] = lower_arm(l, list->items->item[i].input, group, env);
+    Answer answer = chosen_split(l, x, maps, count, MOST_SPLITS);
+    if (l->relief)
         answer.split = NULL;
     return answer;
 }

@@ -1,9 +1,10 @@
-/* Arithmetic between maps: Mix, Add, Multiply, Remap, Clamp, Power, Contrast, Combine, Separate. They work on colours, by lane; alpha is that of the
+/* Arithmetic between maps: Mix, Add, Multiply, Remap, Clamp, Power, Contrast, HSV, Combine, Separate. They work on colours, by lane; alpha is that of the
  * first operand, of Mix the mixed one. What a mean leaves out of an operand goes through what is linear, as a product of means through Multiply. What
  * is not linear is asked of both halves of a value that is one of two:
  *
  *     Clamp to [0, 1] of a Checker of 3 and -1, of which a pixel has .25 and .75: the mean of 1 and 0 by these is .25; the mean itself, 0, would be clamped to 0 */
 #include "compiler/lower/answer.h"
+#include "compiler/lower/lower_term.h"
 
 enum { MOST_HALVINGS = 3 }; /* of a half's halves, and so on: each doubles what is computed */
 
@@ -118,7 +119,7 @@ Answer lower_Contrast(Lower *l, const Node *node, Group group, const Env *env)
 /* A function that is not linear, with numbers of its own. */
 typedef struct {
     Ref (*of)(Lower *l, Ref x, const Ref *numbers);
-    Ref numbers[2];
+    Ref numbers[3];
 } Curve;
 
 /* In a relief halves are heights, of whose mix the curve has the slope. */
@@ -158,6 +159,26 @@ Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
     const Answer x = whole_colour(l, node, P_Power_input, env);
     const Ref exponent = factor(l, node, P_Power_exponent);
     return given(l, curved(l, &(Curve){raised, {exponent}}, x, MOST_HALVINGS), group);
+}
+
+/* Three lanes, or four of which the last is to be the colour's. */
+static Ref turned(Lower *l, Ref x, const Ref *by)
+{
+    Ir *ir = l->ir;
+    Ref rgb = build_convert(ir, x, TYPE_vec3), hsv = lower_term(l, TERM_rgbtohsv, &rgb);
+    Ref zero = build_float(ir, 0), one = build_float(ir, 1);
+    hsv = build_add(ir, hsv, build_vec(ir, TYPE_vec3, by[0], zero, zero));
+    hsv = build_mul(ir, hsv, build_vec(ir, TYPE_vec3, one, by[1], by[2]));
+    rgb = lower_term(l, TERM_hsvtorgb, &hsv);
+    return ir_type(ir, x) == TYPE_vec4 ? build_convert(ir, rgb, TYPE_vec4) : rgb;
+}
+
+Answer lower_HSV(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Answer x = whole_colour(l, node, P_HSV_input, env);
+    const Ref hue = factor(l, node, P_HSV_hue), saturation = factor(l, node, P_HSV_saturation),
+              value = factor(l, node, P_HSV_value);
+    return given(l, curved(l, &(Curve){turned, {hue, saturation, value}}, x, MOST_HALVINGS), group);
 }
 
 Answer lower_Combine(Lower *l, const Node *node, Group group, const Env *env)

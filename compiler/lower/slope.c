@@ -373,7 +373,7 @@ static Ref attach(Ir *ir, Ref ref, const void *user)
 
 void slope_done(Lower *l)
 {
-    if (l->job->choice[AXIS_aa] != CHOICE_aa_none)
+    if (l->job->choice[AXIS_aa] != CHOICE_aa_none || l->place_count)
         ir_sweep(l->ir, attach, NULL);
     arena_reset(&l->ir->scratch);
 }

@@ -79,7 +79,7 @@ Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
     const Memo none = {0};
     while (oracle->memo_count <= (size_t)depth)
         ARENA_PUSH(&oracle->arena, oracle->memos, oracle->memo_count, oracle->memo_room, none);
-    return (Environment){oracle, surface, ++oracle->stamp, depth, NULL, NULL};
+    return (Environment){.oracle = oracle, .surface = surface, .stamp = ++oracle->stamp, .depth = depth};
 }
 
 double oracle_ask(Environment *environment, const Node *map, int channel)

@@ -59,6 +59,10 @@ typedef struct Environment {
     struct Environment
         *centre; /* with --derivatives=auto: the point that this one is beside; NULL: it is beside none */
     const Surface *mesh; /* the surface before it was displaced; NULL: it was not */
+    struct Environment *origin; /* the point that this one is beside, whatever --derivatives; NULL: it is beside none */
+    struct Environment *outer;  /* where a Triplanar is that asks its maps here; NULL: none does */
+    const Node *triplanar;      /* that one, and the axis along which it looks */
+    int axis;
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
 
@@ -88,6 +92,12 @@ typedef struct {
 } Height;
 /* Its derivatives by u and v. oracle_normal.c */
 void oracle_slopes(Environment *environment, const Height *height, double slope[2]);
+/* What a Triplanar's map of an axis sees of an environment, which has to stay as long. oracle_triplanar.c */
+typedef struct {
+    Surface surface;
+    Environment environment;
+} Projection;
+void oracle_project(Environment *outer, const Node *triplanar, int axis, Projection *made);
 /* The material that displaces a surface; NULL: none does. oracle_material.c */
 const Node *oracle_displaced(const Node *material);
 /* How such a material moves the point; the surface's frame after it was displaced, as its normal and tangents. oracle_displacement.c */

@@ -57,6 +57,49 @@ double oracle_Power(Environment *environment, const Node *node, int channel)
     return lane_of(channel) == 3 ? x : pow(fmax(x, 1e-37), oracle_number(node, P_Power_exponent));
 }
 
+/* Red, green and blue as hue in turns, saturation and value: the hexagon that the colour cube shows when it is looked at along its diagonal. */
+static void hsv_of(const double rgb[3], double hsv[3])
+{
+    const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])), spread = most - fmin(rgb[0], fmin(rgb[1], rgb[2]));
+    const double red = rgb[0], green = rgb[1], blue = rgb[2];
+    double sixth = most == red ? green - blue : most == green ? blue - red : red - green;
+    sixth = spread < 1e-30 ? 0 : sixth / spread + (most == red ? 0 : most == green ? 2 : 4);
+    hsv[0] = sixth / 6 - floor(sixth / 6);
+    hsv[1] = fabs(most) < 1e-30 ? 0 : spread / most;
+    hsv[2] = most;
+}
+
+/* A lane of such a colour: it is full within a sixth of a turn around its own hue, and less by the saturation beyond a third. */
+static double lane_of_hsv(const double hsv[3], int lane)
+{
+    const double turn = hsv[0] - lane / 3., from = fabs(turn - floor(turn + .5));
+    return hsv[2] * (1 - hsv[1] * fmin(fmax(6 * from - 1, 0), 1));
+}
+
+double oracle_HSV(Environment *environment, const Node *node, int channel)
+{
+    double rgb[3], hsv[3];
+    if (lane_of(channel) == 3)
+        return lane_at(environment, node, P_HSV_input, 3);
+    for (int i = 0; i < 3; i++)
+        rgb[i] = lane_at(environment, node, P_HSV_input, i);
+    hsv_of(rgb, hsv);
+    hsv[0] += oracle_number(node, P_HSV_hue);
+    hsv[1] *= oracle_number(node, P_HSV_saturation);
+    hsv[2] *= oracle_number(node, P_HSV_value);
+    return lane_of_hsv(hsv, lane_of(channel));
+}
+
+/* The map's own channel, whatever its group. */
+double oracle_Switch(Environment *environment, const Node *node, int channel)
+{
+    const Value *maps = node_param(node, P_Switch_maps);
+    if (maps->kind != VALUE_items || !maps->items->count)
+        return lane_of(channel) == 3;
+    const double i = floor(lane_at(environment, node, P_Switch_which, 0) + .5);
+    return oracle_ask(environment, maps->items->item[(int)fmin(fmax(i, 0), maps->items->count - 1)].input, channel);
+}
+
 double oracle_Combine(Environment *environment, const Node *node, int channel)
 {
     return lane_of(channel) == 3 ? 1 : lane_at(environment, node, P_Combine_r + lane_of(channel), 0);

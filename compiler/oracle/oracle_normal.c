@@ -49,22 +49,33 @@ static bool in_frame(int channel)
     return in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
 }
 
-/* The height beside the point: (u, v) moved by `du` and `dv`, and with them the positions on the surface. */
+/* The point beside an environment's: (u, v) moved by `du` and `dv`, and with them the positions on the surface. What a Triplanar's map sees there is
+ * what that projects beside its own point; `room` has one for each Triplanar around. */
+static Environment *open_beside(Environment *environment, double du, double dv, Projection *room)
+{
+    if (environment->outer) {
+        oracle_project(open_beside(environment->outer, du, dv, room + 1), environment->triplanar, environment->axis, room);
+    } else {
+        room->surface = *environment->surface;
+        double *root = room->surface.root;
+        const double *tangents = environment->mesh ? environment->mesh->root : environment->surface->root;
+        root[channel_id(GROUP_U, 0)] += du;
+        root[channel_id(GROUP_U, 1)] += dv;
+        for (int i = 0; i < 3; i++) {
+            root[channel_id(GROUP_P, i)] += du * tangents[channel_id(GROUP_DU, i)] + dv * tangents[channel_id(GROUP_DV, i)];
+            root[channel_id(GROUP_X, i)] += du * room->surface.local_u[i] + dv * room->surface.local_v[i];
+        }
+        room->environment = environment_open(environment->oracle, &room->surface, environment->depth + 1);
+    }
+    room->environment.origin = environment;
+    room->environment.centre = environment->oracle->derivatives != CHOICE_derivatives_analytic ? environment : NULL;
+    return &room->environment;
+}
+
 static double height_at(Environment *environment, const Height *height, double du, double dv)
 {
-    Surface surface = *environment->surface;
-    const double *root = environment->mesh ? environment->mesh->root : surface.root;
-    surface.root[channel_id(GROUP_U, 0)] += du;
-    surface.root[channel_id(GROUP_U, 1)] += dv;
-    for (int i = 0; i < 3; i++) {
-        surface.root[channel_id(GROUP_P, i)] +=
-            du * root[channel_id(GROUP_DU, i)] + dv * root[channel_id(GROUP_DV, i)];
-        surface.root[channel_id(GROUP_X, i)] += du * surface.local_u[i] + dv * surface.local_v[i];
-    }
-    Environment beside = environment_open(environment->oracle, &surface, environment->depth + 1);
-    if (environment->oracle->derivatives != CHOICE_derivatives_analytic)
-        beside.centre = environment;
-    return height->at(&beside, height->node, height->lane);
+    Projection room[LIMIT_FILTERS + 1];
+    return height->at(open_beside(environment, du, dv, room), height->node, height->lane);
 }
 
 /* A step that is small beside a float's rounding, so that either side of a crease can be told, and not beside a double's. */
@@ -240,10 +251,11 @@ static void shifted_input(Environment *environment, const Node *node, const Lane
                           double result[3])
 {
     Oracle *oracle = environment->oracle;
-    const Environment *centre = environment->centre ? environment->centre : environment;
-    const Surface here = shifted(environment->surface, shift), middle = shifted(centre->surface, shift);
+    const Environment *origin = environment->origin ? environment->origin : environment;
+    const Surface here = shifted(environment->surface, shift), middle = shifted(origin->surface, shift);
     Environment moved = environment_open(oracle, &here, environment->depth + 1);
     Environment moved_centre = environment_open(oracle, &middle, environment->depth + 2);
+    moved.origin = environment->origin ? &moved_centre : NULL;
     moved.centre = environment->centre ? &moved_centre : NULL;
     for (int i = 0; i < lanes->count; i++)
         result[i] = oracle_ask_input(&moved, node, lanes->first + i);

@@ -46,6 +46,27 @@ static void ask_uv(Environment *environment, const Node *node, double uv[2])
     uv[1] = oracle_ask_input(environment, node, channel_id(GROUP_U, 1));
 }
 
+/* From one value to another as x goes from 0 to 1. */
+static double between(double a, double b, double x) { return a + fmin(fmax(x, 0), 1) * (b - a); }
+
+double oracle_Ramp(Environment *environment, const Node *node, int channel)
+{
+    double uv[2];
+    ask_uv(environment, node, uv);
+    const double a = oracle_ask_param(environment, node, P_Ramp_a, channel),
+                 b = oracle_ask_param(environment, node, P_Ramp_b, channel);
+    return between(a, b, uv[node_param(node, P_Ramp_along)->number[0] == WORD_Axis_v]);
+}
+
+double oracle_CornerRamp(Environment *environment, const Node *node, int channel)
+{
+    double uv[2], corner[4];
+    ask_uv(environment, node, uv);
+    for (int i = 0; i < 4; i++)
+        corner[i] = oracle_ask_param(environment, node, P_CornerRamp_bottomLeft + i, channel);
+    return between(between(corner[0], corner[1], uv[0]), between(corner[2], corner[3], uv[0]), uv[1]);
+}
+
 static double square_at(const void *map, const double q[3])
 {
     (void)map;

@@ -171,6 +171,17 @@ static void put_items(Generator *g)
     text_put(g->out, "]");
 }
 
+static void put_list(Generator *g)
+{
+    const int count = (int)choose(g->c, MOST_ITEMS);
+    text_put(g->out, "[");
+    for (int i = 0; i < count; i++) {
+        text_put(g->out, i ? ", " : "");
+        map_value(g);
+    }
+    text_put(g->out, "]");
+}
+
 /* One of a list's names. */
 static void put_word(Generator *g, const ParamRow *row)
 {
@@ -210,6 +221,9 @@ static void put_parameter(Generator *g, const ParamRow *row)
     case PARAM_Image:
         text_put(g->out, chance(g->c, 1, 8) ? "null" : "tiles.png");
         break;
+    case PARAM_List:
+        put_list(g);
+        break;
     case PARAM_Items:
         put_items(g);
         break;
@@ -229,7 +243,7 @@ static bool is_given(Generator *g, const ParamRow *row)
         return true;
     if (g->relief && is_place(row))
         return g->left > 0 && chance(g->c, 1, 3);
-    if (row->type == PARAM_Map || row->type == PARAM_Items)
+    if (row->type == PARAM_Map || row->type == PARAM_Items || row->type == PARAM_List)
         return g->left > 0 && chance(g->c, 5, 6);
     return chance(g->c, 1, 2);
 }

@@ -1,0 +1,74 @@
+/* Triplanar: its maps see the surface three times, with two of the position's lanes for u and v.
+ *
+ *     p = (.2, .3, .7), n = (0, .6, .8), sharpness 2: x is asked at u = .3, v = .7 and weighs 0, y at (.2, .7) and weighs .36, z at (.2, .3), .64 */
+#include "compiler/lower/answer.h"
+#include "compiler/lower/slope.h"
+
+enum { AXES = 3 };
+
+static const int maps_of[AXES] = {P_Triplanar_x, P_Triplanar_y, P_Triplanar_z};
+
+/* The map of an axis, or of the next that has one. */
+static const Node *projected_map(const Node *node, int axis)
+{
+    for (int i = 0; i < AXES; i++) {
+        const Node *map = lower_param_node(node, maps_of[(axis + i) % AXES]);
+        if (map)
+            return map;
+    }
+    return NULL;
+}
+
+/* The environment of an axis. The same texture coordinate in the same environment is the same place, so that Triplanars within each other, which read
+ * one position, have three of them together. */
+static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
+{
+    static const char *const lanes[AXES] = {"yz", "xz", "xy"};
+    Env made = *env;
+    made.root[GROUP_U] =
+        build_vec(l->ir, TYPE_vec3, build_swizzle(l->ir, p.value, lanes[axis]), build_float(l->ir, 0));
+    const Place place = {made.root[GROUP_U], env->number};
+    size_t i = 0;
+    while (i < l->place_count && (l->places[i].uv != place.uv || l->places[i].outer != place.outer))
+        i++;
+    if (i == l->place_count)
+        ARENA_PUSH(l->session->arena, l->places, l->place_count, l->place_room, place);
+    made.number = ((int)i + 1) * PLACE_STRIDE + env->number % PLACE_STRIDE;
+    return made;
+}
+
+/* |n|^k of the unit normal, by axis. It counts as constant where the map is differentiated. */
+static Ref weights_of(Lower *l, Ref p, Ref sharpness)
+{
+    Ir *ir = l->ir;
+    const double least = 1e-37; /* a float that is no denormal */
+    Ref by_u = build_or_zero(ir, slope_detached(l, p, DIRECTION_u), TYPE_vec3);
+    Ref by_v = build_or_zero(ir, slope_detached(l, p, DIRECTION_v), TYPE_vec3);
+    Ref normal = build_call(ir, FN_safeNormalize, build_cross(ir, by_u, by_v));
+    Ref base = build_max(ir, build_abs(ir, normal), build_all(ir, TYPE_vec3, least));
+    Ref weight = build_pow(ir, base, build_splat(ir, sharpness, TYPE_vec3));
+    Ref sum = build_dot(ir, weight, build_all(ir, TYPE_vec3, 1));
+    return build_div(ir, weight, sum);
+}
+
+Answer lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
+{
+    static const char *const lane[AXES] = {"x", "y", "z"};
+    Ir *ir = l->ir;
+    if (!projected_map(node, 0))
+        return answer_as_group(l, answer_of(build_float(ir, 0)), group);
+    const Answer p = lower_answer(l, lower_param_node(node, P_Triplanar_input), GROUP_X, env);
+    const Ref weight = weights_of(l, p.value, lower_param(l, node_param(node, P_Triplanar_sharpness), TYPE_float));
+    Answer side[AXES], sum = {0};
+    Type type = TYPE_float;
+    for (int i = 0; i < AXES; i++) {
+        const Env there = projected_env(l, env, p, i);
+        side[i] = lower_answer(l, projected_map(node, i), GROUP_R, &there);
+        type = i ? answer_common_type(type, ir_type(ir, side[i].value)) : ir_type(ir, side[i].value);
+    }
+    for (int i = 0; i < AXES; i++) {
+        const Answer part = answer_scaled(l, answer_widened(l, side[i], type), build_swizzle(ir, weight, lane[i]));
+        sum = i ? answer_sum(l, sum, part) : part;
+    }
+    return answer_as_group(l, answer_of(sum.value), group);
+}
