@@ -301,9 +301,10 @@ static Answer chosen_split(Lower *l, Answer x, const Answer *maps, int count, in
 {
     if (!x.split || depth == 0 || l->relief)
         return chosen_at(l, answer_swizzle(l, x, "x"), maps, count);
-    const Answer a = chosen_split(l, x.split->a, maps, count, depth - 1);
-    const Answer b = chosen_split(l, x.split->b, maps, count, depth - 1);
-    return answer_either(l, x.split->by, a, b);
+    const Split *split = x.split;
+    const Answer a = chosen_split(l, split->a, maps, count, depth - 1);
+    const Answer b = chosen_split(l, split->b, maps, count, depth - 1);
+    return answer_either(l, split->by, a, b);
 }
 
 Answer lower_Switch(Lower *l, const Node *node, Group group, const Env *env)

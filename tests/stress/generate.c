@@ -10,8 +10,7 @@ enum {
     MOST_PARAMS = 6,
     MOST_FILTERS = 2,
     MOST_ITEMS = 5,
-    MOST_CHAIN = 3,
-    MOST_INPUTS = 2,
+    MOST_CHAIN = 3, MOST_INPUTS = 2,
     WIDEST_RELIEF = 64
 };
 
@@ -148,15 +147,20 @@ static void put_transform(Generator *g)
     text_put(g->out, " }");
 }
 
-/* Values that ascend, some of them equal; rarely any values. */
-static void put_items(Generator *g)
+/* Values that ascend, some of them equal; rarely any values; `plain`: a list of maps. */
+static void put_items(Generator *g, bool plain)
 {
     int count = g->relief ? 2 + (int)choose(g->c, MOST_ITEMS - 1) : (int)choose(g->c, MOST_ITEMS + 1);
     bool any = chance(g->c, 1, 8);
     double value = generate_number(g->c, -2, 2, false);
     text_put(g->out, "[");
     for (int i = 0; i < count; i++) {
-        text_put(g->out, i ? ", { value: " : "{ value: ");
+        text_put(g->out, i ? ", " : "");
+        if (plain) {
+            map_value(g);
+            continue;
+        }
+        text_put(g->out, "{ value: ");
         if (any)
             put_float(g);
         else
@@ -167,17 +171,6 @@ static void put_items(Generator *g)
             map_value(g);
         }
         text_put(g->out, " }");
-    }
-    text_put(g->out, "]");
-}
-
-static void put_list(Generator *g)
-{
-    const int count = (int)choose(g->c, MOST_ITEMS);
-    text_put(g->out, "[");
-    for (int i = 0; i < count; i++) {
-        text_put(g->out, i ? ", " : "");
-        map_value(g);
     }
     text_put(g->out, "]");
 }
@@ -221,11 +214,8 @@ static void put_parameter(Generator *g, const ParamRow *row)
     case PARAM_Image:
         text_put(g->out, chance(g->c, 1, 8) ? "null" : "tiles.png");
         break;
-    case PARAM_List:
-        put_list(g);
-        break;
-    case PARAM_Items:
-        put_items(g);
+    case PARAM_List: case PARAM_Items:
+        put_items(g, row->type == PARAM_List);
         break;
     default:
         if (param_is_word(row))
@@ -239,10 +229,8 @@ static void put_parameter(Generator *g, const ParamRow *row)
  * a transform makes of it, and its Blends have items. */
 static bool is_given(Generator *g, const ParamRow *row)
 {
-    if (g->relief && row->type == PARAM_Items)
-        return true;
-    if (g->relief && is_place(row))
-        return g->left > 0 && chance(g->c, 1, 3);
+    if (g->relief && (row->type == PARAM_Items || is_place(row)))
+        return row->type == PARAM_Items || (g->left > 0 && chance(g->c, 1, 3));
     if (row->type == PARAM_Map || row->type == PARAM_Items || row->type == PARAM_List)
         return g->left > 0 && chance(g->c, 5, 6);
     return chance(g->c, 1, 2);
@@ -276,7 +264,7 @@ static void put_expression(Generator *g)
 
 static void put_kind(Generator *g, Kind kind)
 {
-    bool filter = kind == KIND_Smooth3D || kind == KIND_Laplace3D;
+    bool filter = kind == KIND_Smooth3D || kind == KIND_Laplace3D || kind == KIND_Triplanar;
     if (filter && (g->filters == MOST_FILTERS || !chance(g->c, 1, 3)))
         kind = KIND_Checker, filter = false;
     const KindRow *row = &kind_table[kind];
