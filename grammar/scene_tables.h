@@ -44,6 +44,15 @@ typedef struct {
     ParamRow param; /* name, default, range, line; its kind is KIND_COUNT */
     const char *unit;
 } SceneParamRow;
+/* What a plain parameter is by a word of its kind's parameter `preset`. */
+typedef struct {
+    SceneKind kind;
+    Word word;
+    int param;
+    double value;
+} ScenePresetRow;
+extern const ScenePresetRow scene_preset_table[];
+extern const int scene_preset_count;
 extern const SceneSortRow scene_sort_table[SCENE_SORT_COUNT];
 extern const SceneKindRow scene_kind_table[SCENE_KIND_COUNT];
 extern const SceneParamRow scene_param_table[SCENE_PARAM_COUNT];

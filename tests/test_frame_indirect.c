@@ -59,11 +59,11 @@ static void planes_are_open(void **state)
     static const char *const objects[] = {"{ object: Plane }",
                                           "{ object: Parallelogram, u: [9, 0, 0], v: [0, 9, 0], transform: { "
                                           "translation: [-4.5, -4.5, 0] } }"};
-    static const char *const methods[] = {"march, steps: 24", "march, steps: 24, march: picture", "screen",
-                                          "screen, thickness: .1", "hybrid"};
+    static const char *const methods[] = {
+        "march, steps: 24", "march, steps: 24, march: picture", "screen", "screen, thickness: .1", "hybrid", "points"};
     Rig rig = open_rig();
     char text[TEXT];
-    for (int i = 0; i < 4 * 2 * 5; i++) {
+    for (int i = 0; i < 4 * 2 * 6; i++) {
         snprintf(text, sizeof text,
                  IMAGE "camera: { %s }\nindirect: { method: %s, radius: 2 }\nmaterials: { m: { material: Phong } "
                        "}\nobjects: [{ object: Group, material: m, objects: [%s] }]\n",
@@ -90,6 +90,8 @@ static double segment_linear(double c)
 }
 static double segment_quadratic(double c) { return segment(c) - 2 * c * c / PI * (sqrt(1 - c * c) / c - acos(c)); }
 static double cap(double c) { return (1 - c) / 2; }
+/* Of places that are even in the half ball: half of what a plane cuts off of a ball. */
+static double cap_volume(double c) { return (1 - c) * (1 - c) * (2 + c) / 4; }
 
 typedef struct {
     const char *keys;
@@ -149,17 +151,20 @@ static Off corner(Rig *rig, const Corner *c)
 static void corners_are_as_their_closed_forms(void **state)
 {
     (void)state;
-    static const Corner corners[] = {{"march, steps: 32", segment, false},
-                                     {"march, steps: 32", segment, true},
-                                     {"march, steps: 32, checked: false", segment, true},
-                                     {"march, steps: 128, march: picture", segment, true},
-                                     {"march, steps: 32, sequence: halton", segment, false},
-                                     {"march, steps: 32, sequence: random, rotation: random", segment, false},
-                                     {"march, steps: 32, rotation: random", segment, false},
-                                     {"march, steps: 64, weight: linear", segment_linear, false},
-                                     {"march, steps: 64, weight: quadratic", segment_quadratic, false},
-                                     {"march, steps: 32, distribution: uniform", cap, false},
-                                     {"march, steps: 32, distribution: uniform", segment, true}};
+    static const Corner corners[] = {
+        {"march, steps: 32", segment, false},
+        {"march, steps: 32", segment, true},
+        {"march, steps: 32, checked: false", segment, true},
+        {"march, steps: 128, march: picture", segment, true},
+        {"march, steps: 32, sequence: halton", segment, false},
+        {"march, steps: 32, sequence: random, rotation: random", segment, false},
+        {"march, steps: 32, rotation: random", segment, false},
+        {"march, steps: 64, weight: linear", segment_linear, false},
+        {"march, steps: 64, weight: quadratic", segment_quadratic, false},
+        {"march, steps: 32, distribution: uniform", cap, false},
+        {"march, steps: 32, distribution: uniform", segment, true},
+        {"points, distribution: uniform, checked: false", cap_volume, false},
+        {"points, distribution: uniform, checked: false, sequence: hammersley, rotation: random", cap_volume, false}};
     Rig rig = open_rig();
     for (size_t i = 0; i < sizeof corners / sizeof *corners; i++) {
         const Off off = corner(&rig, &corners[i]);

@@ -268,6 +268,36 @@ static void thin_parallelograms(void **state)
     }
 }
 
+/* Of a preset those keys count that are not given; the others are as ever. */
+static void presets_of_indirect(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys;
+        Word method, filter;
+        int rays, steps, coarse;
+        double radius;
+    } cases[] = {
+        {"preset: none", WORD_Indirect_auto, WORD_Filter_separable, 8, 8, 1, 0},
+        {"preset: draft", WORD_Indirect_auto, WORD_Filter_separable, 4, 8, 2, 0},
+        {"preset: thesisBuddha", WORD_Indirect_voxels, WORD_Filter_none, 32, 32, 1, 4},
+        {"rays: 5, preset: thesisBuddha, method: march", WORD_Indirect_march, WORD_Filter_none, 5, 32, 1, 4},
+        {"preset: thesisPoints, filter: separable", WORD_Indirect_points, WORD_Filter_separable, 32, 8, 1, 1.5},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024];
+        MatcDocument *document;
+        snprintf(text, sizeof text, RED "indirect: { %s }\nobjects: [{ object: Sphere, material: red }]\n",
+                 cases[i].keys);
+        Scene *scene = read_fine(text, &document);
+        const SceneIndirect *in = &scene->indirect;
+        assert_true(in->method == cases[i].method && in->filter == cases[i].filter && in->coarse == cases[i].coarse);
+        assert_true(in->rays == cases[i].rays && in->steps == cases[i].steps);
+        assert_near(&in->radius, &cases[i].radius, 1, 0);
+        forget(scene, document);
+    }
+}
+
 static double seconds_to_read(const char *motion, int count)
 {
     char text[512];
@@ -358,6 +388,7 @@ int main(void)
         cmocka_unit_test(materials),
         cmocka_unit_test(cameras_and_lights),
         cmocka_unit_test(methods_of_shadows),
+        cmocka_unit_test(presets_of_indirect),
         cmocka_unit_test(solids),
         cmocka_unit_test(tips),
         cmocka_unit_test(thin_parallelograms),

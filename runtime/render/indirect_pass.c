@@ -121,9 +121,11 @@ static void set_block(const Render *render, ScreenPass *pass)
         block[4][i] = (float)render->size[i];
     block[4][3] = in->filter_size ? INFINITY : (float)(part * indirect_radius(render->scene, &render->cache));
     indirect_sequence_samples(in->sequence, in->rays, samples);
-    for (int i = 0; i < in->rays; i++)
+    for (int i = 0; i < in->rays; i++) {
         for (int k = 0; k < 2; k++)
             block[BLOCK_HEAD + i][k] = (float)samples[i][k];
+        block[BLOCK_HEAD + i][2] = (float)indirect_sequence_third(in->sequence, i);
+    }
     put_shifts(&sequence, block + BLOCK_HEAD + in->rays);
     material_write(&pass->material, "Indirect", block,
                    sizeof *block * (size_t)(BLOCK_HEAD + in->rays + shifts_of(&sequence)));

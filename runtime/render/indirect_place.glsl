@@ -6,7 +6,7 @@ layout(std140) uniform Indirect {
     vec4 indirect_reach;              // x: radius; y: how far off the surface rays begin, and z: the same in pixels; w: contrast
     vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is
     vec4 indirect_picture;            // xy: its size in pixels; w: how far smoothing reaches in space
-    vec4 indirect_samples[INDIRECT_RAYS];
+    vec4 indirect_samples[INDIRECT_RAYS]; // z: of points
 #if INDIRECT_ROTATION == 3
     uvec4 indirect_shifts[INDIRECT_SHIFTS]; // ranks of blue noise, two in a lane
 #elif INDIRECT_ROTATION == 2

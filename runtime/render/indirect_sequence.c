@@ -46,6 +46,11 @@ void indirect_sequence_samples(Word sequence, int count, double (*samples)[2])
     }
 }
 
+double indirect_sequence_third(Word sequence, int i)
+{
+    return mirrored((unsigned)i, sequence == WORD_Sequence_halton ? 5 : 3);
+}
+
 int indirect_sequence_edge(const IndirectSequence *of)
 {
     return of->rotation == WORD_Rotation_blue    ? BLUE_NOISE_EDGE

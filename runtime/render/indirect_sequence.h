@@ -23,6 +23,8 @@ typedef struct {
 
 /* `count` samples of the unit square. */
 void indirect_sequence_samples(Word sequence, int count, double (*samples)[2]);
+/* A third lane of the i-th, for samples of a cube: in base 5 behind Halton's, else in base 3. */
+double indirect_sequence_third(Word sequence, int i);
 /* Shifts repeat after so many pixels; 0: they are not in a table. */
 int indirect_sequence_edge(const IndirectSequence *of);
 /* Of a pixel: what its samples are shifted by, 0 to 1, and a third number for what is random besides. Of Sobol's and rotation tile the shift is by exclusive or of the first

@@ -171,6 +171,16 @@ void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing)
 
 static int place_of(const SceneThing *thing, int param) { return param - row_of(thing)->first; }
 
+void scene_thing_preset(SceneThing *thing, Word preset)
+{
+    for (int i = 0; i < scene_preset_count; i++) {
+        const ScenePresetRow *row = &scene_preset_table[i];
+        const char *name = scene_param_table[row->param].param.name;
+        if (row->kind == thing->kind && row->word == preset && !(thing->tree && tree_find(thing->tree, name)))
+            thing->values[place_of(thing, row->param)].number[0] = row->value;
+    }
+}
+
 double scene_thing_number(const SceneThing *thing, int param)
 {
     return thing->values[place_of(thing, param)].number[0];

@@ -47,6 +47,9 @@ bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing);
 /* What is where nothing is given: the first kind of its sort. */
 void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing);
 
+/* Keys that are not given are as the word of its parameter `preset` has them (SCENE_PRESET). */
+void scene_thing_preset(SceneThing *thing, Word preset);
+
 double scene_thing_number(const SceneThing *thing, int param);
 void scene_thing_vector(const SceneThing *thing, int param, double vector[3]);
 /* NULL: not given. */
