@@ -1,5 +1,5 @@
 /* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterised surfaces to the last bits; what memory a tile
- * may take. `build/tests/test_tiles FILE...` prints by how much tiles of these scenes are off. */
+ * may take. `build/tests/test_tiles FILE... [egl]` prints by how much tiles of these scenes are off. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -255,13 +255,15 @@ static void seams_of_the_gallery(void **state)
     gl_close(gl);
 }
 
-static int print_seams(char **names)
+static int print_seams(int count, char **arguments)
 {
-    GlContext *gl = frame_context();
+    const GlKind kind = frame_kind(count, arguments);
+    GlContext *gl = frame_context_of(kind);
     printf("%-40s   depth  pixels that differ, by steps of 8 bits\n", "scene");
-    for (; *names; names++) {
-        const Seams seams = seams_of(gl, *names);
-        printf("%-40s %7.1e  %4d of %d, %d\n", *names, seams.depth, seams.moved, seams.pixels, seams.most_steps);
+    for (int i = 1; i < count - (kind == GL_KIND_egl); i++) {
+        const Seams seams = seams_of(gl, arguments[i]);
+        printf("%-40s %7.1e  %4d of %d, %d\n", arguments[i], seams.depth, seams.moved, seams.pixels, seams.most_steps);
+        fflush(stdout);
     }
     gl_close(gl);
     return 0;
@@ -270,7 +272,7 @@ static int print_seams(char **names)
 int main(int count, char **arguments)
 {
     if (count > 1)
-        return print_seams(arguments + 1);
+        return print_seams(count, arguments);
     const struct CMUnitTest tests[] = {cmocka_unit_test(rays_are_the_pictures), cmocka_unit_test(seams_are_rounding),
                                        cmocka_unit_test(seams_of_the_gallery), cmocka_unit_test(tiles_fit_the_memory),
                                        cmocka_unit_test(tiles_share_the_width), cmocka_unit_test(memory_does_not_grow)};
