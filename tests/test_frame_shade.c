@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_band.h"
+#include "tests/frame/shadow_scene.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,22 +18,7 @@
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
 static const double REACH = 11.5; /* across all objects of a scene, about */
 
-#define VIEW                                                                                                           \
-    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "   \
-    "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
-/* Meshes that meet: all of them the ground, a box another box, a cone a cylinder. */
-#define THINGS                                                                                                         \
-    "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, .8] } }\n"                      \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } }\n"                  \
-    "- { object: Box, size: [.5, .5, .5], material: m, transform: { translation: [1.1, .5, 1.25] } }\n"                \
-    "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, -1.4, 0] } }\n"         \
-    "- { object: Cone, radius: .3, height: .6, material: m, transform: { translation: [.6, -1.4, .8] } }\n"            \
-    "- { object: Parallelogram, u: [0, 1.6, 0], v: [.4, 0, 1], material: m, transform: { translation: [-2.2, -.6, 0] " \
-    "} }\n"
-#define GROUND                                                                                                         \
-    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
-    "-4, 0] } }\n"
-#define PLANE "objects:\n- { object: Plane, material: m }\n"
+#define VIEW "image: { width: 120, height: 90 }\n" SHADOW_SCENE_VIEW
 
 typedef struct {
     int lit, dark;   /* compared, outside of bands */
@@ -102,8 +87,8 @@ static Count at_angle(GlContext *gl, const Lamp *lamp, const double angle[2], co
         snprintf(place_text, sizeof place_text, ", position: [%g, %g, %g]", at[0], at[1], at[2]);
     if (lamp->directed)
         snprintf(direction_text, sizeof direction_text, ", direction: [%g, %g, %g]", -at[0], -at[1], -at[2]);
-    snprintf(text, sizeof text, VIEW "shadowMaps: %s\nlights: [{ light: %s%s%s }]\n%s" THINGS, maps, lamp->kind,
-             place_text, direction_text, objects);
+    snprintf(text, sizeof text, VIEW "shadowMaps: %s\nlights: [{ light: %s%s%s }]\n%s" SHADOW_SCENE_THINGS(""), maps,
+             lamp->kind, place_text, direction_text, objects);
     return compare(gl, text, add_pixel);
 }
 
@@ -129,33 +114,33 @@ static void by_every_angle(const char *name, const Lamp *lamp, const char *objec
 static void directional(void **state)
 {
     (void)state;
-    by_every_angle("directional", &(Lamp){"Directional", false, true}, GROUND, HARD);
+    by_every_angle("directional", &(Lamp){"Directional", false, true}, SHADOW_SCENE_GROUND, HARD);
 }
 
 static void spot(void **state)
 {
     (void)state;
-    by_every_angle("spot", &(Lamp){"Spot, innerAngle: 30, outerAngle: 45", true, true}, GROUND, HARD);
+    by_every_angle("spot", &(Lamp){"Spot, innerAngle: 30, outerAngle: 45", true, true}, SHADOW_SCENE_GROUND, HARD);
 }
 
 static void wide_spot(void **state)
 {
     (void)state;
-    by_every_angle("wide spot", &(Lamp){"Spot, innerAngle: 80, outerAngle: 100", true, true}, PLANE, HARD);
+    by_every_angle("wide spot", &(Lamp){"Spot, innerAngle: 80, outerAngle: 100", true, true}, SHADOW_SCENE_PLANE, HARD);
 }
 
 static void point(void **state)
 {
     (void)state;
-    by_every_angle("point", &(Lamp){"Point", true, false}, GROUND, HARD);
+    by_every_angle("point", &(Lamp){"Point", true, false}, SHADOW_SCENE_GROUND, HARD);
 }
 
 /* Edges that are spread do not spread acne. */
 static void filtered(void **state)
 {
     (void)state;
-    by_every_angle("filter 1", &(Lamp){"Directional", false, true}, GROUND, "{ filter: 1 }");
-    by_every_angle("filter 3", &(Lamp){"Point", true, false}, PLANE, "{ filter: 3 }");
+    by_every_angle("filter 1", &(Lamp){"Directional", false, true}, SHADOW_SCENE_GROUND, "{ filter: 1 }");
+    by_every_angle("filter 3", &(Lamp){"Point", true, false}, SHADOW_SCENE_PLANE, "{ filter: 3 }");
 }
 
 /* -- where the eye is the light, all that is seen is lit */
@@ -193,7 +178,9 @@ static void seen_from_the_light(void **state)
         for (int i = 0; i < 2; i++) {
             char text[4096];
             snprintf(text, sizeof text,
-                     VIEW "shadowMaps: { filter: %d }\nlights: [{ light: %s, position: [1.5, -7, 4] }]\n" GROUND THINGS,
+                     VIEW
+                     "shadowMaps: { filter: %d }\nlights: [{ light: %s, position: [1.5, -7, 4] }]\n" SHADOW_SCENE_GROUND
+                         SHADOW_SCENE_THINGS(""),
                      filter, lamps[i]);
             const Count count = compare(gl, text, add_dark);
             print_message("filter %d, %.5s: %d lit, acne %d\n", filter, lamps[i], count.lit, count.acne);
@@ -212,7 +199,7 @@ static char *graph_of(GlContext *gl, const char *switched, bool none)
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     char text[4096];
-    snprintf(text, sizeof text, VIEW LAMPS GROUND THINGS, switched);
+    snprintf(text, sizeof text, VIEW LAMPS SHADOW_SCENE_GROUND SHADOW_SCENE_THINGS(""), switched);
     Scene *scene = frame_scene(text, &options, &document);
     Render *render = render_open(gl, &(RenderOptions){.compile = &options, .no_shadows = none});
     assert_true(render && render_scene(render, scene));
