@@ -73,6 +73,7 @@ cd "$root" || exit 1
 
 # docs/language.md
 mkdir "$work/images" && cp examples/tiles.png "$work/images/color.png" && cp examples/tiles.png "$work/images/packed.png" && cp examples/tiles.png "$work/images/label.png" && cp examples/tiles.png "$work/images/height.png"
+for name in bark barkRough barkNormal; do cp examples/tiles.png "$work/$name.png"; done
 number=0
 while [ "$number" -lt "$(blocks docs/language.md yaml)" ]; do
     number=$((number + 1))
