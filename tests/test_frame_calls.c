@@ -226,7 +226,7 @@ static void views_need_less(void **state)
     }
     assert_null(render_open(gl, &(RenderOptions){.compile = &options, .view = "deep"}));
     assert_string_equal(gl->error, "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, voxels, "
-                                   "open, indirect, bent, or a slot");
+                                   "open, indirect, bent, visibility, or a slot");
     gl_close(gl);
     frame_forget(scene, document);
 }

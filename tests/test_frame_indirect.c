@@ -193,6 +193,78 @@ static float *light_of(Rig *rig, const char *keys, const char *lights, const cha
     return rgba;
 }
 
+enum { UNSEEN, SEEN, NOTHING };
+
+/* By rays in double: what of a pixel the picture's middle sees. */
+static int is_seen(const Tracer *tracer, const Hit *middle, const Hit *hit)
+{
+    Ray ray;
+    double far = 0, faces[2] = {0};
+    if (!isfinite(hit->distance))
+        return NOTHING;
+    for (int k = 0; k < 3; k++) {
+        ray.way[k] = hit->world[k] - middle->world[k];
+        ray.at[k] = middle->world[k] + 1e-6 * middle->facet[k];
+        far += ray.way[k] * ray.way[k];
+        faces[0] += middle->facet[k] * ray.way[k];
+        faces[1] -= hit->facet[k] * ray.way[k];
+    }
+    far = sqrt(far);
+    for (int k = 0; k < 3; k++)
+        ray.way[k] /= far;
+    return far > .3 && faces[0] > 1e-6 && faces[1] > 1e-6 && reference_hit(tracer, &ray, 0).distance > far - 1e-3
+               ? SEEN
+               : UNSEEN;
+}
+
+/* What the picture's middle, on a wall, sees of the ground before it, of which a box hides a part. Steps of rays, and voxels, decide near the border of what is seen: two pixels. */
+static void middles_see(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys;
+        double most; /* share of pixels that may be wrong: the march meets what it is only behind of */
+    } methods[] = {{"march, steps: 96", .06}, {"voxels", .01}, {"hybrid", .01}};
+    static int truth[PIXELS];
+    Rig rig = open_rig();
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        char text[TEXT];
+        int counts[2] = {0}, wrong = 0;
+        snprintf(text, sizeof text,
+                 IMAGE
+                 "camera: { camera: Perspective, position: [0, -5, 4], target: [0, 1.4, 1] }\nindirect: { method: %s, "
+                 "radius: 6 }\nmaterials: { m: { material: Phong } }\nobjects:\n"
+                 "- { object: Box, material: m, size: [9, 9, 1], transform: { translation: [0, 0, -.5] } }\n"
+                 "- { object: Box, material: m, size: [1.2, .5, .9], transform: { translation: [.5, 0, .45] } }\n"
+                 "- { object: Box, material: m, size: [6, .4, 4], transform: { translation: [0, 1.6, 2] } }\n",
+                 methods[i].keys);
+        float *seen = draw(&rig, text, "visibility");
+        Tracer tracer = reference_open(rig.scene);
+        const Ray own = reference_ray(rig.scene, WIDTH / 2 + .5, HEIGHT / 2 + .5);
+        const Hit middle = reference_hit(&tracer, &own, 0);
+        for (int p = 0; p < PIXELS; p++) {
+            const Ray ray = reference_ray(rig.scene, p % WIDTH + .5, p / WIDTH + .5);
+            const Hit hit = reference_hit(&tracer, &ray, 0);
+            truth[p] = is_seen(&tracer, &middle, &hit);
+        }
+        reference_close(&tracer);
+        for (int p = 3 * WIDTH; p < PIXELS - 3 * WIDTH; p++) {
+            bool even = truth[p] != NOTHING;
+            for (int k = 0; k < 49; k++)
+                even = even && truth[p + (k / 7 - 3) * WIDTH + k % 7 - 3] == truth[p];
+            if (!even || seen[4 * p] > 2 * seen[4 * p + 1])
+                continue;
+            counts[truth[p]]++;
+            wrong += (seen[4 * p + 2] > 1.5f * seen[4 * p]) == (truth[p] == SEEN);
+        }
+        print_message("%s: the middle sees %d pixels, and %d not; %d are wrong\n", methods[i].keys, counts[SEEN],
+                      counts[UNSEEN], wrong);
+        assert_true(counts[SEEN] > 100 && counts[UNSEEN] > 400 && wrong <= methods[i].most * (counts[0] + counts[1]));
+        forget(&rig, seen);
+    }
+    close_rig(&rig);
+}
+
 /* Light is that from around times openness, and indirect light times diffuse and gain, and what comes from lights with a place, dimmed or not. */
 static void light_is_their_sum(void **state)
 {
@@ -299,6 +371,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planes_are_open),
         cmocka_unit_test(corners_are_as_their_closed_forms),
+        cmocka_unit_test(middles_see),
         cmocka_unit_test(light_is_their_sum),
         cmocka_unit_test(fragments_and_memory_change_nothing),
         cmocka_unit_test(what_is_beside_the_picture_is_not_known),

@@ -18,17 +18,23 @@ bool indirect_is(const Render *render)
     return in && in->rays > 0 && in->method != WORD_Indirect_none;
 }
 
+bool indirect_shows(const Render *render, const char *view)
+{
+    return render->options.view && !strcmp(render->options.view, view);
+}
+
 /* Cached radiance has further bounces in it. */
 bool indirect_is_repeated(const Render *render)
 {
-    return indirect_is(render) && !indirect_reads_voxels(render) && render->scene->indirect.bounces > 1;
+    return indirect_is(render) && !indirect_reads_voxels(render) && render->scene->indirect.bounces > 1 &&
+           !indirect_shows(render, "visibility");
 }
 
 bool indirect_is_smoothed(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
     const bool filtered = in->filter != WORD_Filter_none;
-    return indirect_is(render) &&
+    return indirect_is(render) && !indirect_shows(render, "visibility") &&
            (in->coarse > 1 || indirect_is_repeated(render) || filtered || indirect_keeps(render));
 }
 
@@ -38,14 +44,17 @@ bool indirect_reads_voxels(const Render *render)
            (indirect_method(render) == WORD_Indirect_voxels || indirect_method(render) == WORD_Indirect_hybrid);
 }
 
-int indirect_coarse(const Render *render) { return indirect_is(render) ? render->scene->indirect.coarse : 1; }
+int indirect_coarse(const Render *render)
+{
+    return indirect_is(render) && !indirect_shows(render, "visibility") ? render->scene->indirect.coarse : 1;
+}
 
 int indirect_view_lanes(const char *view)
 {
     static const struct {
         const char *name;
         int lanes;
-    } views[] = {{"open", 1}, {"indirect", 3}, {"bent", 3}};
+    } views[] = {{"open", 1}, {"indirect", 3}, {"bent", 3}, {"visibility", 3}};
     for (size_t i = 0; i < sizeof views / sizeof *views; i++)
         if (!strcmp(view, views[i].name))
             return views[i].lanes;
@@ -72,7 +81,8 @@ double indirect_radius(const Scene *scene, const Cache *cache)
 bool indirect_keeps(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
-    return indirect_is(render) && !indirect_is_repeated(render) && (in->samples > 1 || in->history > 0);
+    return indirect_is(render) && !indirect_is_repeated(render) && !indirect_shows(render, "visibility") &&
+           (in->samples > 1 || in->history > 0);
 }
 
 int indirect_most_sets(const Render *render)

@@ -38,6 +38,8 @@ bool indirect_is(const Render *render);
 Word indirect_method(const Render *render);
 /* The view is of one of its targets; how many lanes it has, or 0. */
 int indirect_view_lanes(const char *view);
+/* The view has that name. */
+bool indirect_shows(const Render *render, const char *view);
 /* What is wrong with the view, of this scene; NULL: nothing. */
 const char *indirect_lacks_view(const Render *render);
 /* Light goes on from surface to surface more than once. */

@@ -29,12 +29,10 @@ static int shifts_of(const IndirectSequence *of)
     return of->rotation == WORD_Rotation_blue ? SHIFTS_MOST : edge * edge;
 }
 
-static bool shows_bent(const Render *render) { return render->options.view && !strcmp(render->options.view, "bent"); }
-
 void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
 {
     const SceneIndirect *in = &render->scene->indirect;
-    const bool uniform = in->distribution == WORD_Distribution_uniform;
+    const bool uniform = in->distribution == WORD_Distribution_uniform, bent = indirect_shows(render, "bent");
     const IndirectSequence sequence = sequence_of(render);
     snprintf(text, INDIRECT_DEFINITIONS,
              "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
@@ -44,15 +42,16 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
              in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE, in->steps,
              indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence), shifts_of(&sequence),
              (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
-             in->coarse, indirect_filter_size(render), turns_bits(&sequence) ? "#define INDIRECT_TURNS_BITS\n" : "",
+             indirect_coarse(render), indirect_filter_size(render),
+             turns_bits(&sequence) ? "#define INDIRECT_TURNS_BITS\n" : "",
              indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
              uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                      : "#define INDIRECT_SHARE(cosine) 1.0\n",
              in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
              in->checked ? "#define INDIRECT_CHECKED\n" : "",
              indirect_method(render) == WORD_Indirect_hybrid ? "#define INDIRECT_NEAR\n" : "",
-             in->bounces > 0 && !shows_bent(render) ? "#define INDIRECT_LIGHT\n" : "",
-             shows_bent(render) ? "#define INDIRECT_BENT\n" : "");
+             in->bounces > 0 && !bent && !indirect_shows(render, "visibility") ? "#define INDIRECT_LIGHT\n" : "",
+             bent ? "#define INDIRECT_BENT\n" : "");
 }
 
 int indirect_filter_size(const Render *render)

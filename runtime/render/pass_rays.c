@@ -3,8 +3,9 @@
 #include "runtime/render/frame.h"
 
 extern const char render_text_indirect_place[], render_text_indirect_march[], render_text_indirect_near[],
-    render_text_indirect_mask[], render_text_indirect_points[], render_text_indirect_rays[], render_text_pass_rays[],
-    render_text_voxel_map[], render_text_voxel_ray[], render_text_radiance[], render_text_indirect_planes[];
+    render_text_indirect_mask[], render_text_indirect_points[], render_text_indirect_rays[],
+    render_text_indirect_seen[], render_text_pass_rays[], render_text_voxel_map[], render_text_voxel_ray[],
+    render_text_radiance[], render_text_indirect_planes[];
 
 enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT, BEFORE_UNIT, RADIANCE_UNIT };
 
@@ -29,25 +30,38 @@ static bool make(Render *render, bool again, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS], planes[INDIRECT_PLANES_DEFINITION];
     const bool kept = radiance_needed(render);
-    const bool voxels = indirect_reads_voxels(render), points = indirect_method(render) == WORD_Indirect_points,
-               mask = indirect_method(render) == WORD_Indirect_screen;
+    const bool voxels = indirect_reads_voxels(render), seen = indirect_shows(render, "visibility"),
+               points = !seen && indirect_method(render) == WORD_Indirect_points,
+               mask = !seen && indirect_method(render) == WORD_Indirect_screen;
     indirect_define(render, defined);
     radiance_define(render, cached);
     indirect_planes_define(render, planes);
     const SurfaceModel none = {.text = ""}, *of = again ? render->surface : &none;
-    const ScreenPassText text = {
-        .body = {indirect_surface_text(render), of->text, surface_model_more(of, 0), surface_model_more(of, 1),
-                 surface_model_more(of, 2), surface_model_more(of, 3), surface_model_more(of, 4), defined,
-                 again ? "#define INDIRECT_AGAIN\n" : "", render_text_indirect_place,
-                 voxels ? render_text_voxel_map : "", voxels ? render_text_voxel_ray : "", kept ? cached : "",
-                 kept ? render_text_radiance : "", planes, *planes ? render_text_indirect_planes : "",
-                 mask     ? render_text_indirect_mask
-                 : points ? render_text_indirect_points
-                 : voxels ? render_text_indirect_near
-                          : render_text_indirect_march,
-                 mask || points ? "" : render_text_indirect_rays, render_text_pass_rays},
-        .format = frame_format(render, FRAME_TARGET_open, 0),
-        .compute = render->compute};
+    const ScreenPassText text = {.body = {indirect_surface_text(render),
+                                          of->text,
+                                          surface_model_more(of, 0),
+                                          surface_model_more(of, 1),
+                                          surface_model_more(of, 2),
+                                          surface_model_more(of, 3),
+                                          surface_model_more(of, 4),
+                                          defined,
+                                          again ? "#define INDIRECT_AGAIN\n" : "",
+                                          voxels ? "#define INDIRECT_VOXELS\n" : "",
+                                          render_text_indirect_place,
+                                          voxels ? render_text_voxel_map : "",
+                                          voxels ? render_text_voxel_ray : "",
+                                          kept ? cached : "",
+                                          kept ? render_text_radiance : "",
+                                          planes,
+                                          *planes ? render_text_indirect_planes : "",
+                                          mask     ? render_text_indirect_mask
+                                          : points ? render_text_indirect_points
+                                          : voxels ? render_text_indirect_near
+                                                   : render_text_indirect_march,
+                                          mask || points ? "" : render_text_indirect_rays,
+                                          seen ? render_text_indirect_seen : render_text_pass_rays},
+                                 .format = frame_format(render, FRAME_TARGET_open, 0),
+                                 .compute = render->compute};
     if (!screen_pass_make(render->store, &text, pass))
         return false;
     screen_pass_sampler(pass, "indirect_light", LIGHT_UNIT);

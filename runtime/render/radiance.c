@@ -12,9 +12,8 @@ enum { FLOATS = 4, BOUNCED_TEXELS = 4, ONCE_TEXELS = 2 };
 
 bool radiance_needed(const Render *render)
 {
-    const char *view = render->options.view;
-    return indirect_reads_voxels(render) && render->scene->indirect.bounces > 0 &&
-           !(view && (!strcmp(view, "bent") || !strcmp(view, "open")));
+    return indirect_reads_voxels(render) && render->scene->indirect.bounces > 0 && !indirect_shows(render, "bent") &&
+           !indirect_shows(render, "open") && !indirect_shows(render, "visibility");
 }
 
 int radiance_texels(const Render *render) { return render->scene->indirect.bounces > 1 ? BOUNCED_TEXELS : ONCE_TEXELS; }

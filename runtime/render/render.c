@@ -26,7 +26,7 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
     if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
         return gl_fail(gl,
                        "there is no view '%s': shown, wireframe, volume, light, depth, shadow, voxels, open, indirect, "
-                       "bent, or a slot",
+                       "bent, visibility, or a slot",
                        options->view),
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))

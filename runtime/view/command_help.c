@@ -16,7 +16,7 @@ const char command_help[] =
     "  --samples=N          N x N samples a pixel, 1 to 8: 2, of a scene 1\n"
     "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
     "  --view=NAME          shown (default), light, depth, shadow (maps, side by side), voxels, open, indirect, "
-    "bent, or a slot: what a pass wrote; wireframe; volume, volumeWireframe, wireframes, volumeAlone, "
+    "bent, visibility, or a slot; wireframe; volume, volumeWireframe, wireframes, volumeAlone, "
     "volumeWireframeAlone: with "
     "hybrid shadows' volumes\n"
     "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "

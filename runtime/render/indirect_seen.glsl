@@ -1,0 +1,27 @@
+// The view visibility: what the surface in the picture's middle sees (Thiedemann 2009, 4.5), by the method's own rays. White: it is seen; blue: something is between, or one of both surfaces is turned away; grey: it is farther
+// than rays go. Red is the middle itself. What a ray meets within a step of its end, two voxels or one of the march's, is its end.
+vec4 passPixel(ivec2 pixel)
+{
+    ivec2 middle = ivec2(indirect_picture.xy) / 2;
+    float depth = texelFetch(indirect_depth, pixel, 0).x, there = texelFetch(indirect_depth, middle, 0).x;
+    if (depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
+    if (all(lessThan(abs(pixel - middle), ivec2(3)))) return vec4(1.0, 0.0, 0.0, 1.0);
+    vec3 point = indirectPoint(pixel, depth), normal = indirectNormal(pixel);
+    float shade = 0.3 + 0.7 * abs(dot(normal, indirectIsOrthographic() ? vec3(0.0, 0.0, 1.0) : normalize(point)));
+    if (there <= 0.0) return vec4(vec3(0.5 * shade), 1.0);
+    vec3 from = indirectPoint(middle, there), own = indirectNormal(middle), way = point - from;
+    float far = length(way), radius = indirect_reach.x;
+    way /= max(far, 1e-30);
+    if (far > radius) return vec4(vec3(0.5 * shade), 1.0);
+    bool seen = dot(own, way) > 0.0 && dot(normal, way) < 0.0;
+    if (seen) {
+        IndirectHit hit = indirectMeet(from, own, way, 0.0);
+#ifdef INDIRECT_VOXELS
+        float step_ = 0.5 * indirect_models.x;
+#else
+        float step_ = radius / float(INDIRECT_STEPS);
+#endif
+        seen = hit.t < 0.0 || hit.t * radius > far - step_ / max(-dot(normal, way), 0.2);
+    }
+    return vec4(shade * (seen ? vec3(1.0) : vec3(0.1, 0.2, 0.6)), 1.0);
+}
