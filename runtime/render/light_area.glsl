@@ -151,3 +151,20 @@ float areaLobe(Area area, vec3 normal, vec3 w, float exponent)
         sum += areaArc(seen.corners[i], seen.corners[i + 1 < seen.count ? i + 1 : 0], normal, w, exponent);
     return max(sum, 0.0) / ((exponent + 2.0) * AREA_PI);
 }
+
+// What a surface sends of light that arrives on one side of it: evenly, and around an axis, the cosine's power counted in. A model gives it (surface_model.h),
+// so that the code of the integrals above stands in a program once.
+struct AreaSide {
+    vec3 normal, even;      // the side, and the share that it sends evenly
+    vec3 gloss, axis, across; // the lobe: gloss max(axis.l, 0)^exponent across.l
+    float exponent;
+};
+
+vec3 areaOfSide(Area light, AreaSide side)
+{
+    Area part = areaClip(light, side.normal);
+    vec3 sum = vec3(0.0);
+    if (any(greaterThan(side.even, vec3(0.0)))) sum = side.even * areaCosine(part, side.normal);
+    if (any(greaterThan(side.gloss, vec3(0.0)))) sum += side.gloss * areaLobe(part, side.across, side.axis, side.exponent);
+    return sum;
+}

@@ -65,7 +65,14 @@ vec3 surfaceHemisphere(Lit m)
 #ifdef LIGHT_HAS_AREAS
 vec3 surfaceArea(Lit m, Area light)
 {
-    if (m.principled) return principledArea(m.other, light);
-    return phongArea(m.phong, light);
+    vec3 sum = vec3(0.0);
+    int sides = m.principled ? 1 : phongAreaSides(m.phong);
+    for (int i = 0; i < sides; i++) {
+        AreaSide side;
+        if (m.principled) side = principledAreaSide(m.other);
+        else side = phongAreaSide(m.phong, i);
+        sum += areaOfSide(light, side);
+    }
+    return sum;
 }
 #endif

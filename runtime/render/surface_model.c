@@ -6,13 +6,16 @@
 extern const char render_text_surface_phong[], render_text_surface_principled[], render_text_surface_both[];
 
 #define RENAMED(model)                                                                                                 \
-    "#define Lit " model "Lit\n#define surfaceLit " model "SurfaceLit\n#define surfaceThrough " model "Through\n"       \
-    "#define surfaceOwn " model "Own\n#define surfaceAmbient " model "Ambient\n#define surfaceEven " model "Even\n"     \
-    "#define surfaceLobe " model "Lobe\n#define surfaceSky " model "Sky\n#define surfaceArea " model "Area\n"           \
-    "#define surfaceHemisphere " model "Hemisphere\n#define surfaceMatt " model "Matt\n"
+    "#define Lit " model "Lit\n#define surfaceLit " model "SurfaceLit\n#define surfaceThrough " model "Through\n"      \
+    "#define surfaceOwn " model "Own\n#define surfaceAmbient " model "Ambient\n#define surfaceEven " model "Even\n"    \
+    "#define surfaceLobe " model "Lobe\n#define surfaceSky " model "Sky\n#define surfaceArea " model "Area\n"          \
+    "#define surfaceHemisphere " model "Hemisphere\n#define surfaceMatt " model "Matt\n"                               \
+    "#define surfaceAreaSides " model "AreaSides\n#define surfaceAreaSide " model "AreaSide\n"
 #define UNNAMED                                                                                                        \
-    "#undef Lit\n#undef surfaceLit\n#undef surfaceThrough\n#undef surfaceOwn\n#undef surfaceAmbient\n"                  \
-    "#undef surfaceEven\n#undef surfaceLobe\n#undef surfaceSky\n#undef surfaceArea\n#undef surfaceHemisphere\n#undef surfaceMatt\n"
+    "#undef Lit\n#undef surfaceLit\n#undef surfaceThrough\n#undef surfaceOwn\n#undef surfaceAmbient\n"                 \
+    "#undef surfaceEven\n#undef surfaceLobe\n#undef surfaceSky\n#undef surfaceArea\n#undef surfaceHemisphere\n#undef " \
+    "surfaceMatt\n"                                                                                                    \
+    "#undef surfaceAreaSides\n#undef surfaceAreaSide\n"
 
 const SurfaceModel surface_model_phong = {.name = "Phong", .text = render_text_surface_phong, .parts = true};
 const SurfaceModel surface_model_principled = {.name = "Principled", .text = render_text_surface_principled};

@@ -14,6 +14,12 @@
  *     vec3 surfaceHemisphere(Lit m)                  of hemispheres, by light_hemisphere.glsl; under #ifdef LIGHT_HAS_HEMISPHERE
  *     vec3 surfaceArea(Lit m, Area light)            of a polygon of radiance 1, by light_area.glsl; under #ifdef LIGHT_HAS_AREAS
  *
+ * A model that is asked for together with another gives its area light by sides, AreaSide of light_area.glsl, so that a program has the integrals' code
+ * once; compilers take seconds for each:
+ *
+ *     int surfaceAreaSides(Lit m), AreaSide surfaceAreaSide(Lit m, int i)    Phong: the eye's side, and behind it what lets light through
+ *     AreaSide surfaceAreaSide(Lit m)                                        Principled
+ *
  * Where there are many lights, a model with `parts` has those that are far summed for many pixels at once. Its lobe is then, for light from the side of
  * the eye, the cosine times E + G max(w.l, 0)^n; light from the other side is nothing, if it lets none through:
  *

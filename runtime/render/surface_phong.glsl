@@ -109,21 +109,20 @@ vec3 surfaceHemisphere(Lit m)
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-// The lobe's integral over a polygon of light, over pi, the cosine counted in.
+// What comes through is the other side's: of its power, one is the cosine that the integral counts in.
+int surfaceAreaSides(Lit m) { return surfaceLetsThrough(m) ? 2 : 1; }
+AreaSide surfaceAreaSide(Lit m, int i)
+{
+    if (i == 0) return AreaSide(m.normal, m.diffuse, m.specular, m.reflected, m.normal, m.shininess);
+    vec3 on = reflect(m.reflected, m.normal);
+    return AreaSide(-m.normal, m.behind, m.through, on, on, max(m.straightness - 1.0, 0.0));
+}
+
 vec3 surfaceArea(Lit m, Area light)
 {
-    Area above = areaClip(light, m.normal);
-    vec3 sum = m.diffuse * areaCosine(above, m.normal);
-    if (any(greaterThan(m.specular, vec3(0.0))))
-        sum += m.specular * areaLobe(above, m.normal, m.reflected, m.shininess);
-    if (any(greaterThan(m.behind, vec3(0.0))))
-        sum += m.behind * areaCosine(areaClip(light, -m.normal), -m.normal);
-#ifdef SURFACE_HAS_transparency
-    if (any(greaterThan(m.through, vec3(0.0)))) {
-        vec3 on = reflect(m.reflected, m.normal); // of the power, one is the cosine that the integral counts in
-        sum += m.through * areaLobe(areaClip(areaClip(light, -m.normal), on), on, on, max(m.straightness - 1.0, 0.0));
-    }
-#endif
+    vec3 sum = vec3(0.0);
+    int sides = surfaceAreaSides(m);
+    for (int i = 0; i < sides; i++) sum += areaOfSide(light, surfaceAreaSide(m, i));
     return sum;
 }
 #endif

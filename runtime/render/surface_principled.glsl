@@ -173,11 +173,11 @@ vec3 surfaceHemisphere(Lit m) { return m.even * hemisphereMatt(m.normal) + m.glo
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-vec3 surfaceArea(Lit m, Area light)
+AreaSide surfaceAreaSide(Lit m)
 {
-    Area above = areaClip(light, m.normal);
     float exponent = standInExponent(m);
-    return m.even * areaCosine(above, m.normal) +
-        m.gloss * (0.5 * exponent + 1.0) * areaLobe(areaClip(above, m.reflected), m.reflected, m.reflected, exponent);
+    return AreaSide(m.normal, m.even, m.gloss * (0.5 * exponent + 1.0), m.reflected, m.reflected, exponent);
 }
+
+vec3 surfaceArea(Lit m, Area light) { return areaOfSide(light, surfaceAreaSide(m)); }
 #endif
