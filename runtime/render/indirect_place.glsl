@@ -95,14 +95,6 @@ vec2 indirectSample(int i, IndirectShift shift)
     return fract(at + shift.more.xy);
 }
 
-// Two vectors that are at right angles to a unit vector and to each other (Duff et al. 2017).
-void indirectBasis(vec3 n, out vec3 u, out vec3 v)
-{
-    float side = n.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (side + n.z), b = n.x * n.y * a;
-    u = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
-    v = vec3(b, side + n.y * n.y * a, -n.y);
-}
-
 // The direction of a sample of the unit square, the normal being z: as dense as its cosine, or everywhere alike.
 vec3 indirectDirection(vec2 s)
 {

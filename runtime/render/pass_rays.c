@@ -4,8 +4,8 @@
 
 extern const char render_text_indirect_place[], render_text_indirect_march[], render_text_indirect_near[],
     render_text_indirect_mask[], render_text_indirect_points[], render_text_indirect_rays[],
-    render_text_indirect_seen[], render_text_pass_rays[], render_text_voxel_map[], render_text_voxel_ray[],
-    render_text_radiance[], render_text_indirect_planes[];
+    render_text_indirect_seen[], render_text_indirect_basis[], render_text_pass_rays[], render_text_voxel_map[],
+    render_text_voxel_ray[], render_text_radiance[], render_text_indirect_planes[];
 
 enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT, BEFORE_UNIT, RADIANCE_UNIT };
 
@@ -48,6 +48,7 @@ static bool make(Render *render, bool again, ScreenPass *pass)
                                           again ? "#define INDIRECT_AGAIN\n" : "",
                                           voxels ? "#define INDIRECT_VOXELS\n" : "",
                                           render_text_indirect_place,
+                                          render_text_indirect_basis,
                                           voxels ? render_text_voxel_map : "",
                                           voxels ? render_text_voxel_ray : "",
                                           kept ? cached : "",

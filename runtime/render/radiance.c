@@ -6,7 +6,7 @@
 
 extern const char render_text_radiance_store[], render_text_radiance_number[], render_text_radiance_light[],
     render_text_radiance_place[], render_text_radiance_bounce[], render_text_radiance[], render_text_voxel_map[],
-    render_text_voxel_ray[];
+    render_text_voxel_ray[], render_text_indirect_basis[];
 
 enum { FLOATS = 4, BOUNCED_TEXELS = 4, ONCE_TEXELS = 2 };
 
@@ -88,7 +88,7 @@ static bool make_bounce(Render *render)
              transparency_stride(&render->set), render->scene->indirect.rays);
     const ScreenPassText text = {.body = {defined, strides, render_text_voxel_map, render_text_voxel_ray,
                                           render_text_radiance, render_text_radiance_place,
-                                          render_text_radiance_bounce},
+                                          render_text_indirect_basis, render_text_radiance_bounce},
                                  .format = "RGBA16F",
                                  .compute = true,
                                  .block = 64};

@@ -1,5 +1,5 @@
 // One more bounce of cached radiance: each node sends rays through the voxels, as the pass rays does for pixels, and finds what nodes there send; what it sends of that is written
-// beside what it sent before, and put in its place when all are done. Before it stand voxel_ray.glsl, radiance.glsl, radiance_place.glsl.
+// beside what it sent before, and put in its place when all are done. Before it stand voxel_ray.glsl, radiance.glsl, radiance_place.glsl, indirect_basis.glsl.
 uniform int bounce_step;   // 0: rays; 1: put in place
 uniform float bounce_far;  // of the map's voxels
 
@@ -10,8 +10,8 @@ vec3 bounceDirection(int ray, uint seed, vec3 normal)
     random ^= random >> 22;
     vec2 s = fract(vec2(float(ray) / float(RADIANCE_RAYS), float(bitfieldReverse(uint(ray)) >> 8) / 16777216.0) +
                    vec2(random & 65535u, random >> 16) / 65536.0);
-    float side = normal.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (side + normal.z), b = normal.x * normal.y * a; // Duff et al. 2017
-    vec3 u = vec3(1.0 + side * normal.x * normal.x * a, side * b, -side * normal.x), v = vec3(b, side + normal.y * normal.y * a, -normal.y);
+    vec3 u, v;
+    indirectBasis(normal, u, v);
     float turn = 6.28318530717959 * s.y, r = sqrt(s.x);
     return r * cos(turn) * u + r * sin(turn) * v + sqrt(1.0 - s.x) * normal;
 }
