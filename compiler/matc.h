@@ -130,6 +130,8 @@ typedef enum {
     MATC_TESSVERTEX = 1024,  /* GLSL of the programs that tessellate in the vertex program's stead: attributes handed on, */
     MATC_TESSCONTROL = 2048, /* levels of a triangle's edges, each by its two ends alone, */
     MATC_TESSEVAL = 4096,    /* and what the vertex program does at the points between. Targets of GLSL 4 alone */
+    MATC_DISPLACE = 8192, /* GLSL for any stage that is written around it: `vec3 matc_displaced(vec3 position, vec3 displacementNormal,
+                           * vec2 displacementTexcoord, vec3 displacementTangentU, vec3 displacementTangentV)`, a point in the world */
     MATC_STATS = 128,  /* table of stages and optimiser passes; the choices, and what settled each */
 } MatcOutput;
 

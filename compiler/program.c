@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OUTPUT_COUNT = 13 }; /* bits of MatcOutput */
+enum { OUTPUT_COUNT = 14 }; /* bits of MatcOutput */
 
 struct MatcProgram {
     Arena arena;
@@ -161,6 +161,8 @@ static void fill_outputs(MatcProgram *p, unsigned outputs)
         made->vertex = emit_vertex(&p->session, &p->job, &made->interface);
     keep(p, MATC_FRAGMENT, made->fragment, made->fragment_size);
     keep_text(p, MATC_VERTEX, made->vertex);
+    if (outputs & MATC_DISPLACE)
+        keep_text(p, MATC_DISPLACE, emit_displace(&p->session, &p->job, &made->interface));
     if (outputs & MATC_UNPACK)
         keep_text(p, MATC_UNPACK, emit_unpack(&p->session, &p->job));
     if (outputs & MATC_REFLECT && !p->job.instances)

@@ -31,6 +31,8 @@ typedef struct VertexMove {
 const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface, size_t *size);
 /* The vertex program that feeds it: only the varyings in use. */
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface);
+/* No program, but the function that says where a displaced point is: for stages that are written around it. */
+const char *emit_displace(Session *session, const Job *job, const Interface *interface);
 /* The programs that tessellate, in the vertex program's stead. tessellation.c */
 typedef enum { TESSELLATION_vertex, TESSELLATION_control, TESSELLATION_eval, TESSELLATION_COUNT } TessellationStage;
 const char *emit_tessellation(Session *session, const Job *job, const Interface *interface, TessellationStage stage);

@@ -236,6 +236,26 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     emit_vertex_body(out, job, interface);
 }
 
+/* A point that is displaced by a function, whichever stage calls it: its arguments have the names of the vertex program's attributes. */
+const char *emit_displace(Session *session, const Job *job, const Interface *interface)
+{
+    const VertexMove *move = interface->move;
+    Text out = text_new(session->arena);
+    text_format(&out, "// matc " MATC_VERSION ": where points of a displaced surface are, of pass %s\n", pass_table[job->pass].name);
+    put_uniforms(&out, job->target, (bool[UNIFORM_COUNT]){true, false, move != NULL}, uniforms, UNIFORM_COUNT);
+    if (move)
+        text_format(&out, "%s\n%s", move->declarations, move->text);
+    text_put(&out, "\n// The point in the world of attributes in the object's space. All vertices of one position take the same ones, so that none tears off.\n"
+                   "vec3 matc_displaced(vec3 position");
+    for (int i = 0; i < MOVE_ATTRIBUTES; i++)
+        text_format(&out, ", %s", displacement_attributes[i]);
+    text_put(&out, ") {\n");
+    if (move)
+        put_move(&out, move);
+    text_format(&out, "    return %s;\n}\n", move ? "matc_worldPosition" : "(matc_worldFromLocal * vec4(position, 1.0)).xyz");
+    return out.at;
+}
+
 /* One triangle that covers the screen. The ray is the direction in which clip space's z changes at a corner, times what makes
  * it linear over the screen even where the near plane is oblique; it leads away from the eye whichever way z runs. */
 static void full_screen(Text *out, const Job *job, const Interface *interface)

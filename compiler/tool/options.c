@@ -24,6 +24,7 @@ const EmitRow emit_table[EMIT_COUNT] = {
     {"tessvertex", ".tess.vert", MATC_TESSVERTEX},
     {"tesscontrol", ".tesc", MATC_TESSCONTROL},
     {"tesseval", ".tese", MATC_TESSEVAL},
+    {"displace", ".displace.glsl", MATC_DISPLACE},
     {"tree", ".tree", 0},
 };
 

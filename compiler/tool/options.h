@@ -19,6 +19,7 @@ typedef enum {
     EMIT_tessvertex,
     EMIT_tesscontrol,
     EMIT_tesseval,
+    EMIT_displace,
     EMIT_tree,
     EMIT_COUNT
 } Emit;
