@@ -33,8 +33,23 @@ static void wrap(const char *vertex, char *text, size_t room)
     assert_true(written > 0 && (size_t)written < room);
 }
 
-/* A document, and one of its materials. */
+/* A vertex program of our own around the function that `--emit=displace` writes. */
+static void call(const char *displace, char *text, size_t room)
+{
+    const int written = snprintf(
+        text, room,
+        "#version 330 core\nin vec3 position, displacementNormal, displacementTangentU, displacementTangentV;\nin vec2 displacementTexcoord;\n"
+        "%s\nout vec3 test_position;\nvoid main() {\n"
+        "    test_position = matc_displaced(position, displacementNormal, displacementTexcoord, displacementTangentU, displacementTangentV);\n"
+        "    int i = gl_VertexID;\n    vec2 pixel = vec2(float(i %% 8 * 8 + 5), float(i / 8 * 8 + 3)) + 0.5;\n"
+        "    gl_Position = vec4(2.0 * pixel / %d.0 - 1.0, 0.0, 1.0);\n}\n",
+        displace, SIDE);
+    assert_true(written > 0 && (size_t)written < room);
+}
+
+/* A document, one of its materials, and by which of its texts points are displaced. */
 typedef struct {
+    MatcOutput by;
     const char *path;
     MatcDocument *document;
     MatcOptions options;
@@ -52,8 +67,8 @@ static void draw_vertices(Rig *rig, const Case *c, double *worst)
     double want[VERTICES][3];
     space_place(&space);
     vertices_make(&vertices, &space, SIDE);
-    MatcProgram *program = matc_compile(c->document, c->material, MATC_FRAGMENT | MATC_VERTEX, &c->options);
-    wrap(matc_output(program, MATC_VERTEX, NULL), text, sizeof text);
+    MatcProgram *program = matc_compile(c->document, c->material, MATC_FRAGMENT | (unsigned)c->by, &c->options);
+    (c->by == MATC_DISPLACE ? call : wrap)(matc_output(program, c->by, NULL), text, sizeof text);
     assert_true(gl_use(rig->gl));
     if (!material_make(rig->store, program, &(ProgramText){.vertex = {text}, .fragment = {fragment}}, &drawn))
         fail_msg("%s: %s", c->path, rig->gl->error);
@@ -77,7 +92,7 @@ static void draw_vertices(Rig *rig, const Case *c, double *worst)
     matc_program_free(program);
 }
 
-/* By every pass that draws a surface's triangles: shadows and depth are displaced too. */
+/* By every pass that draws a surface's triangles: shadows and depth are displaced too. And by the function alone, in a stage that is written around it. */
 static void vertices_stand_where_the_oracle_has_them(void **state)
 {
     static const char *const documents[] = {"displacement.yaml", "channels/displacementVector.yaml", "channels/displacementPicture.yaml",
@@ -99,8 +114,9 @@ static void vertices_stand_where_the_oracle_has_them(void **state)
         c.document = matc_read(path, text, strlen(text), &c.options);
         assert_true(matc_material_count(c.document) > 0);
         for (; c.material < matc_material_count(c.document); c.material++)
-            for (int pass = 0; pass < 4; pass++) {
-                c.options.pass = passes[pass];
+            for (int pass = 0; pass < 8; pass++) {
+                c.options.pass = passes[pass % 4];
+                c.by = pass < 4 ? MATC_VERTEX : MATC_DISPLACE;
                 draw_vertices(RIG, &c, &worst);
             }
         matc_document_free(c.document);

@@ -245,7 +245,8 @@ const char *emit_displace(Session *session, const Job *job, const Interface *int
     put_uniforms(&out, job->target, (bool[UNIFORM_COUNT]){true, false, move != NULL}, uniforms, UNIFORM_COUNT);
     if (move)
         text_format(&out, "%s\n%s", move->declarations, move->text);
-    text_put(&out, "\n// The point in the world of attributes in the object's space. All vertices of one position take the same ones, so that none tears off.\n"
+    text_put(&out, move ? "" : "\n");
+    text_put(&out, "// The point in the world of attributes in the object's space. All vertices of one position take the same ones, so that none tears off.\n"
                    "vec3 matc_displaced(vec3 position");
     for (int i = 0; i < MOVE_ATTRIBUTES; i++)
         text_format(&out, ", %s", displacement_attributes[i]);
