@@ -161,15 +161,18 @@ Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, curved(l, &(Curve){raised, {exponent}}, x, MOST_HALVINGS), group);
 }
 
+/* lower_term looks at all arguments that a term may have. */
+static Ref term_of(Lower *l, Term term, Ref x) { return lower_term(l, term, (const Ref[TERM_MOST_ARGUMENTS]){x}); }
+
 /* Three lanes, or four of which the last is to be the colour's. */
 static Ref turned(Lower *l, Ref x, const Ref *by)
 {
     Ir *ir = l->ir;
-    Ref rgb = build_convert(ir, x, TYPE_vec3), hsv = lower_term(l, TERM_rgbtohsv, &rgb);
+    Ref rgb = build_convert(ir, x, TYPE_vec3), hsv = term_of(l, TERM_rgbtohsv, rgb);
     Ref zero = build_float(ir, 0), one = build_float(ir, 1);
     hsv = build_add(ir, hsv, build_vec(ir, TYPE_vec3, by[0], zero, zero));
     hsv = build_mul(ir, hsv, build_vec(ir, TYPE_vec3, one, by[1], by[2]));
-    rgb = lower_term(l, TERM_hsvtorgb, &hsv);
+    rgb = term_of(l, TERM_hsvtorgb, hsv);
     return ir_type(ir, x) == TYPE_vec4 ? build_convert(ir, rgb, TYPE_vec4) : rgb;
 }
 
