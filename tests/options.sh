@@ -28,6 +28,16 @@ for error in 1e-9 0.001 0.01 0.1 0.5; do
 done
 check "the greatest takes two" test "$last" = 2
 
+# -- --aa: cells of a formula are those of the map, over the pixel, too
+
+printf 'material: Phong\ndiffuse: { map: Cells }\n' >"$work/map.yaml"
+printf 'material: Phong\ndiffuse: "= cells(p)"\n' >"$work/formula.yaml"
+for aa in none box aniso; do
+    $fast --aa=$aa --emit=ir --pass=value "$work/map.yaml" >"$work/map.ir" 2>"$work/stderr"
+    $fast --aa=$aa --emit=ir --pass=value "$work/formula.yaml" >"$work/formula.ir" 2>>"$work/stderr"
+    check "--aa=$aa: cells(p) is Cells" cmp -s "$work/map.ir" "$work/formula.ir"
+done
+
 # -- --precision: the same program as with what the manual says it chooses; each choice counts in it
 
 cat >"$work/all.yaml" <<'YAML'

@@ -130,9 +130,13 @@ bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *par
 {
     Inputs in = {.r = r, .text = text, .with = with};
     const Formula *formula = read_formula(&in);
-    if (formula)
-        keep(r, &in, formula, params);
-    return formula != NULL;
+    if (!formula)
+        return false;
+    for (uint32_t i = 0; with && i < with->count; i++)
+        if (names_find(&in.names, with->members[i].key) < 0)
+            diag_add(r->session, with->members[i].span, DIAG_unread_name, with->members[i].key);
+    keep(r, &in, formula, params);
+    return true;
 }
 
 /* What a formula reads that is not known when the program is compiled; NULL: nothing. */

@@ -91,6 +91,7 @@ typedef struct {
     size_t to_differ_count, to_differ_room;
     Place *places; /* of all Triplanars; lower_triplanar.c */
     size_t place_count, place_room;
+    HashIndex place_index;
     Turn *turns; /* by node; lower_normal.c */
     size_t turn_room;
     struct SlotMemo *slots; /* by node and slot: what mixed materials answered; lower_material.c */

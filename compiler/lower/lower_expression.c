@@ -1,6 +1,6 @@
 /* Expression: a formula's steps one after the other, each as IR.
  *
- * Filtered last, as a Blend is: its inputs are means already, noise fades its octaves, and all else is taken at the point, but where something
+ * Filtered last, as a Blend is: its inputs are means already, noise fades its octaves, cells their points, and all else is taken at the point, but where something
  * jumps: there the formula is computed at four points of the pixel, its inputs going along their slopes, and the four are averaged.
  *
  *     step(.5, u), u changes by .1 to the next pixel: at u = .47 the four points are at u - .0375, -.0125, .0125, .0375: a quarter of a 1 */

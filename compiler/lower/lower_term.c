@@ -5,7 +5,7 @@
 #include "compiler/lower/lower_term.h"
 #include "compiler/ir/build_words.h"
 #include "compiler/lower/area.h"
-#include "runtime/library/cells.h"
+#include "compiler/lower/cells.h"
 #include "runtime/library/reference.h"
 #include <math.h>
 
@@ -220,16 +220,6 @@ static Ref each(Lower *l, Function function, Ref a)
     return build_vec_of(ir, ir_type(ir, a), lane, ir_lanes(ir, a));
 }
 
-/* Distances to the points of cells whose points are anywhere in them. */
-static Ref cells(Lower *l, Ref p, int which)
-{
-    Ir *ir = l->ir;
-    const Ref place = build_splat(ir, p, TYPE_vec3), rest = build_vec3(ir, 0, 0, 0), jitter = build_float(ir, 1);
-    const Ref distance = build_int(ir, CELLS_EUCLIDEAN), value = build_int(ir, which);
-    const Ref args[] = {place, rest, jitter, distance, value};
-    return build_call_of(ir, FN_cells3, args, sizeof args / sizeof *args);
-}
-
 /* b where the condition holds, else c, as the wider of both types. */
 static Ref chosen(Lower *l, const Ref *x)
 {
@@ -285,7 +275,7 @@ Ref lower_whole_power(Lower *l, Ref a, int power)
 #define THREE(a)                   three(l, a)
 #define ODD(uv)                    odd(l, uv)
 #define EACH(function, a)          each(l, FN_##function, a)
-#define CELLS(a, which)            cells(l, a, which)
+#define CELLS(a, edge)            cells_of(l, three(l, a), edge)
 #define COUNT(b)                   count(l, b)
 #define OCTAVES(p, n, c, d)        octaves(l, false, p, REFS(ir, n, c, d))
 #define VECTOR_OCTAVES(p, n, c, d) octaves(l, true, p, REFS(ir, n, c, d))

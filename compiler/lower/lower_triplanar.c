@@ -19,6 +19,17 @@ static const Node *projected_map(const Node *node, int axis)
     return NULL;
 }
 
+static int place_number(Lower *l, Place place)
+{
+    const uint32_t hash = place.uv * 0x9E3779B1u ^ (uint32_t)place.outer * 0x85EBCA6Bu;
+    for (HashProbe probe = hash_probe(&l->place_index, hash); hash_probe_next(&probe);)
+        if (l->places[probe.number].uv == place.uv && l->places[probe.number].outer == place.outer)
+            return (int)probe.number;
+    hash_index_add(l->session->arena, &l->place_index, hash, (uint32_t)l->place_count);
+    ARENA_PUSH(l->session->arena, l->places, l->place_count, l->place_room, place);
+    return (int)l->place_count - 1;
+}
+
 /* The environment of an axis. The same texture coordinate in the same environment is the same place, so that Triplanars within each other, which read
  * one position, have three of them together. */
 static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
@@ -27,13 +38,7 @@ static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
     Env made = *env;
     made.root[GROUP_U] =
         build_vec(l->ir, TYPE_vec3, build_swizzle(l->ir, p.value, lanes[axis]), build_float(l->ir, 0));
-    const Place place = {made.root[GROUP_U], env->number};
-    size_t i = 0;
-    while (i < l->place_count && (l->places[i].uv != place.uv || l->places[i].outer != place.outer))
-        i++;
-    if (i == l->place_count)
-        ARENA_PUSH(l->session->arena, l->places, l->place_count, l->place_room, place);
-    made.number = ((int)i + 1) * PLACE_STRIDE + env->number % PLACE_STRIDE;
+    made.number = (place_number(l, (Place){made.root[GROUP_U], env->number}) + 1) * PLACE_STRIDE + env->number % PLACE_STRIDE;
     return made;
 }
 
