@@ -248,7 +248,7 @@ static void middles_see(void **state)
             truth[p] = is_seen(&tracer, &middle, &hit);
         }
         reference_close(&tracer);
-        for (int p = 3 * WIDTH; p < PIXELS - 3 * WIDTH; p++) {
+        for (int p = 3 * WIDTH + 3; p < PIXELS - 3 * WIDTH - 3; p++) {
             bool even = truth[p] != NOTHING;
             for (int k = 0; k < 49; k++)
                 even = even && truth[p + (k / 7 - 3) * WIDTH + k % 7 - 3] == truth[p];
