@@ -116,13 +116,17 @@ static bool known_input(const Item *item, double lanes[4])
     return true;
 }
 
-/* The formula's value, if all that it reads is known. */
-static bool known_value(const Foreign *s, const Formula *formula, double result[4])
+/* The formula's value, what is not known taken as `guess`; NULL: then it has none. False: it has none, or one that is not finite. */
+static bool value_with(const Foreign *s, const Formula *formula, const double guess[4], double result[4])
 {
     double(*room)[4] = arena_zero(s->r->session->arena, (s->count + formula->count) * sizeof *room);
     bool known = !formula->groups;
     for (size_t i = 0; known && i < s->count; i++)
-        known = known_input(&s->items[i], room[i]);
+        if (!known_input(&s->items[i], room[i])) {
+            known = guess != NULL;
+            for (int lane = 0; known && lane < 4; lane++)
+                room[i][lane] = guess[s->items[i].width > 1 ? lane : 0];
+        }
     const FormulaPoint point = {.inputs = (const double(*)[4])room, .values = room + s->count};
     if (known)
         formula_value(formula, &point, result);
@@ -152,7 +156,7 @@ static Value translated(Foreign *s, const char *text)
     if (!formula)
         return (Value){0};
     Value number = {.kind = VALUE_number, .type = type_of_lanes[formula->width]};
-    const Node *node = known_value(s, formula, number.number)
+    const Node *node = value_with(s, formula, NULL, number.number)
                            ? resolve_make_constant(s->r, (Node){.span = s->span}, number)
                            : expression(s, formula);
     return (Value){.kind = node ? VALUE_node : VALUE_none,
@@ -178,16 +182,27 @@ static Value over_normal(Foreign *s, const TranslationRow *row, Value there)
     return (Value){.kind = node ? VALUE_node : VALUE_none, .node = node, .given = true, .span = map->span};
 }
 
+/* It is 0 whatever maps are that are not known: as a factor that is known is. */
+static bool is_nothing(const Foreign *s, const Formula *formula)
+{
+    static const double guesses[][4] = {{.3, .6, .9, .2}, {0, .5, 0, .7}, {1, 0, .4, 1}};
+    for (size_t i = 0; i < sizeof guesses / sizeof *guesses; i++) {
+        double lost[4] = {0};
+        if (!value_with(s, formula, guesses[i], lost) || lost[0] != 0)
+            return false;
+    }
+    return true;
+}
+
 static void say_losses(Foreign *s)
 {
     for (int i = 0; i < loss_count; i++) {
         const LossRow *row = &loss_table[i];
-        double lost[4] = {0};
         if (param_table[row->param].kind != s->kind)
             continue;
         const Value *param = &s->params[row->param - kind_table[s->kind].first];
         const Formula *formula = param->given ? read_formula(s, row->formula) : NULL;
-        if (formula && (!known_value(s, formula, lost) || lost[0] != 0))
+        if (formula && !is_nothing(s, formula))
             diag_add(s->r->session, param->span, DIAG_translation_loss, param_table[row->param].name,
                      kind_table[s->kind].name, row->what);
     }
