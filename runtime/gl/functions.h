@@ -99,13 +99,17 @@
 
 /* What a driver may lack: of OpenGL 3.1, 3.3, 4.2, 4.3 and 4.5. */
 #define GL_OPTIONAL_FUNCTIONS(F)                                                                                       \
+    F(BEGINTRANSFORMFEEDBACK, BeginTransformFeedback)                                                                  \
     F(BINDBUFFERBASE, BindBufferBase)                                                                                  \
+    F(BINDBUFFERRANGE, BindBufferRange)                                                                                \
     F(BINDIMAGETEXTURE, BindImageTexture)                                                                              \
     F(CLEARBUFFERSUBDATA, ClearBufferSubData)                                                                          \
     F(CLIPCONTROL, ClipControl)                                                                                        \
     F(DISPATCHCOMPUTE, DispatchCompute)                                                                                \
     F(DRAWARRAYSINDIRECT, DrawArraysIndirect)                                                                          \
+    F(DRAWARRAYSINSTANCED, DrawArraysInstanced)                                                                        \
     F(DRAWELEMENTSINSTANCEDBASEINSTANCE, DrawElementsInstancedBaseInstance)                                            \
+    F(ENDTRANSFORMFEEDBACK, EndTransformFeedback)                                                                      \
     F(MEMORYBARRIER, MemoryBarrier)                                                                                    \
     F(GETACTIVEUNIFORMBLOCKIV, GetActiveUniformBlockiv)                                                                \
     F(GETACTIVEUNIFORMSIV, GetActiveUniformsiv)                                                                        \
@@ -114,6 +118,7 @@
     F(PRIMITIVERESTARTINDEX, PrimitiveRestartIndex)                                                                    \
     F(TEXSTORAGE2D, TexStorage2D)                                                                                      \
     F(TEXTUREVIEW, TextureView)                                                                                        \
+    F(TRANSFORMFEEDBACKVARYINGS, TransformFeedbackVaryings)                                                            \
     F(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                                        \
     F(VERTEXATTRIBDIVISOR, VertexAttribDivisor)                                                                        \
     F(VERTEXATTRIBIPOINTER, VertexAttribIPointer)

@@ -79,6 +79,29 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
     return false;
 }
 
+bool mesh_make_captured(GlContext *gl, Mesh *made)
+{
+    memset(made, 0, sizeof *made);
+    gl->GenVertexArrays(1, &made->array);
+    gl->GenBuffers(2, made->buffers);
+    gl->BindVertexArray(made->array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, made->buffers[0]);
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, made->buffers[1]);
+    for (GLuint i = 0; i < MESH_ATTRIBUTE_end; i++) {
+        const size_t offset = i == MESH_ATTRIBUTE_basePosition ? offsetof(MeshCaptured, base) : attributes[i].offset;
+        if (i >= MESH_ATTRIBUTE_count && i != MESH_ATTRIBUTE_basePosition)
+            continue; /* what displaces is not asked any more */
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(MeshCaptured), (const void *)(uintptr_t)offset);
+    }
+    gl->BindVertexArray(0);
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+    if (gl_check(gl, "making a mesh"))
+        return true;
+    mesh_delete(gl, made);
+    return false;
+}
+
 bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made)
 {
     Shape shape;

@@ -36,6 +36,14 @@ bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made);
 /* Of any shape, which is not kept. */
 bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made);
 
+/* What a driver writes that makes a mesh: a row of its buffer. */
+typedef struct {
+    ShapeVertex vertex;
+    float base[3]; /* where it was */
+} MeshCaptured;
+/* A mesh without any triangles, whose first buffer has rows of MeshCaptured, and whose second has indices, both to be written by the caller. On false *made is empty. */
+bool mesh_make_captured(GlContext *gl, Mesh *made);
+
 /* Says where attributes lie in the array and the buffer that are bound, a row of ShapeVertex: those that shade, and those
  * of displacement, which are the same. */
 void mesh_point_attributes(const GlContext *gl);

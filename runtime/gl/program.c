@@ -58,6 +58,8 @@ static void bind_names(const GlContext *gl, GLuint program, const ProgramText *t
             gl->BindAttribLocation(program, (GLuint)i, attributes[i]);
     for (int i = 0; i < text->output_count; i++)
         gl->BindFragDataLocation(program, (GLuint)i, text->outputs[i]);
+    if (text->captured_count)
+        gl->TransformFeedbackVaryings(program, text->captured_count, text->captured, GL_INTERLEAVED_ATTRIBS);
 }
 
 static bool link(GlContext *gl, GLuint program)
@@ -109,8 +111,8 @@ GLuint program_make(GlContext *gl, const ProgramText *text)
         fine = add(gl, GL_COMPUTE_SHADER, text->compute, &shaders);
     else
         fine = add(gl, GL_VERTEX_SHADER, text->vertex, &shaders) &&
-               (!text->control[0] || (add(gl, GL_TESS_CONTROL_SHADER, (const char *const[PROGRAM_PIECES]){text->control[0]}, &shaders) &&
-                                      add(gl, GL_TESS_EVALUATION_SHADER, (const char *const[PROGRAM_PIECES]){text->evaluation[0]}, &shaders))) &&
+               (!text->control[0] || (add(gl, GL_TESS_CONTROL_SHADER, text->control, &shaders) &&
+                                      add(gl, GL_TESS_EVALUATION_SHADER, text->evaluation, &shaders))) &&
                add(gl, GL_FRAGMENT_SHADER, text->fragment, &shaders);
     GLuint program = fine ? join(gl, &shaders, text) : 0;
     for (int i = 0; i < shaders.count; i++)

@@ -80,9 +80,45 @@ static bool make_mesh_of(Maker *m, const Shape *shape)
     return true;
 }
 
+/* Around all places where points may be moved to. */
+static CullBox box_of_patches(const SceneMesh *mesh)
+{
+    CullBox box = cull_box(&(Shape){.vertices = mesh->patches->rows, .vertex_count = mesh->patches->row_count});
+    for (int k = 0; k < 3; k++) {
+        box.low[k] -= mesh->patches->reach[k];
+        box.high[k] += mesh->patches->reach[k];
+    }
+    return box;
+}
+
+/* That the driver displaces: it may run through itself, and show its back there. */
+static bool make_displaced(Maker *m, int number)
+{
+    Cache *cache = m->cache;
+    const CacheSource *source = m->source;
+    const SceneMesh *from = &source->scene->meshes[number];
+    const int mesh = cache->mesh_count;
+    if (!mesh_make_captured(m->gl, &cache->meshes[mesh]))
+        return false;
+    const ShapeBody body = shape_body(&from->shape);
+    cache->meshes[mesh].body = body == SHAPE_BODY_solid ? SHAPE_BODY_closed : body;
+    cache->boxes[mesh] = box_of_patches(from);
+    cache->mesh_count++;
+    return displaced_make(m->store, source->scene, source->compile, number, &cache->displaced[mesh]) ?
+           cache_displace(m->gl, source, cache, mesh) :
+           set_fail(m->gl, source->scene, from->patches->material);
+}
+
+static bool is_patches(const Maker *m, const SceneObject *object)
+{
+    return object->kind == SCENE_Mesh && m->source->scene->meshes[object->mesh].patches;
+}
+
 static bool make_mesh(Maker *m, const SceneObject *object)
 {
     Shape shape;
+    if (is_patches(m, object))
+        return make_displaced(m, object->mesh);
     if (object->kind == SCENE_Mesh)
         return make_mesh_of(m, &m->source->scene->meshes[object->mesh].shape);
     if (!scene_solid(object, &shape))
@@ -99,7 +135,7 @@ static int mesh_of(Maker *m, const SceneObject *object)
     const int known = find(&m->meshes, key);
     if (known >= 0)
         return known;
-    if (!take_mesh(m, key) && !make_mesh(m, object))
+    if ((is_patches(m, object) || !take_mesh(m, key)) && !make_mesh(m, object))
         return -1;
     add(&m->meshes, key, m->cache->mesh_count - 1);
     return m->cache->mesh_count - 1;
@@ -268,7 +304,7 @@ static bool add_objects(Maker *m)
     for (int i = 0; i < scene->material_count; i++)
         m->kind_of[i] = -1;
     for (int i = 0; i < scene->mesh_count; i++)
-        m->file_keys[i] = shape_key(&scene->meshes[i].shape);
+        m->file_keys[i] = scene->meshes[i].patches ? (Key){(uint64_t)i, 0} : shape_key(&scene->meshes[i].shape);
     for (int i = 0; i < scene->object_count; i++)
         if (!(scene->objects[i].kind == SCENE_Plane ? add_plane(m, i) : add_surface(m, i)))
             return false;
@@ -297,6 +333,7 @@ static bool make_room(Maker *m)
     cache->numbers = calloc((size_t)cache->number_count + 1, sizeof *cache->numbers);
     cache->meshes = calloc(objects, sizeof *cache->meshes);
     cache->boxes = calloc(objects, sizeof *cache->boxes);
+    cache->displaced = calloc(objects, sizeof *cache->displaced);
     cache->places = calloc(objects, sizeof *cache->places);
     cache->place_of = calloc(objects, sizeof *cache->place_of);
     cache->surfaces = calloc(objects, sizeof *cache->surfaces);
@@ -312,7 +349,7 @@ static bool make_room(Maker *m)
     m->kind_of = calloc(materials, sizeof *m->kind_of);
     m->row_of = calloc(materials, sizeof *m->row_of);
     m->caster_of = calloc(materials, sizeof *m->caster_of);
-    return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->places &&
+    return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->displaced && cache->places &&
             cache->place_of && cache->surfaces && cache->planes && cache->list && cache->seen_list && cache->order &&
             cache->cast_order && m->meshes.keys && m->kinds.keys && m->casters.keys && m->kind_of && m->row_of &&
             m->caster_of && m->file_keys) ||
@@ -359,6 +396,7 @@ bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *m
     exact_number_text(maker.gl, source->set, source->written, &maker.number);
     const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) && make_buffers(&maker) &&
                       cache_arrange(maker.gl, source, made);
+    made->displaced_anew = false; /* all is made for it afterwards */
     forget(&maker);
     if (!done)
         cache_delete(maker.gl, made);
@@ -373,8 +411,10 @@ void cache_delete(GlContext *gl, Cache *cache)
         material_delete(&cache->casters[i].material);
     for (int i = 0; i < cache->plane_count; i++)
         material_delete(&cache->planes[i].material);
-    for (int i = 0; i < cache->mesh_count; i++)
+    for (int i = 0; i < cache->mesh_count; i++) {
         mesh_delete(gl, &cache->meshes[i]);
+        displaced_delete(&cache->displaced[i]);
+    }
     if (cache->has_sky)
         material_delete(&cache->sky);
     if (cache->numbers)
@@ -386,6 +426,7 @@ void cache_delete(GlContext *gl, Cache *cache)
     free(cache->numbers);
     free(cache->meshes);
     free(cache->boxes);
+    free(cache->displaced);
     free(cache->mesh_keys);
     free(cache->places);
     free(cache->place_of);

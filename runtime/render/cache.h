@@ -5,6 +5,7 @@
 #include "runtime/gl/mesh.h"
 #include "runtime/render/exact_number.h"
 #include "runtime/render/cull.h"
+#include "runtime/render/displaced.h"
 #include "runtime/render/transparency.h"
 #include "runtime/render/view_space.h"
 
@@ -61,6 +62,8 @@ typedef struct {
     Mesh *meshes;
     CullBox *boxes; /* of the meshes */
     Key *mesh_keys; /* of what they are made of */
+    Displaced *displaced; /* by mesh: how the driver makes it; empty where it is there as it is */
+    bool displaced_anew;  /* such a mesh has other triangles, since whoever reads this took it back */
     int mesh_count;
     CachePlace *places; /* of the objects but planes, opaque ones first, sorted by program, kind, mesh */
     int place_count;
@@ -90,6 +93,8 @@ typedef struct {
     const CullVolume *volume; /* what is seen; NULL: all */
     const CullVolume *view;   /* the camera's, also where all is drawn */
     const int *size;          /* of the picture, in pixels */
+    const MatcOptions *compile; /* of programs that displace */
+    bool triangles;             /* of meshes that the driver displaces are wanted in the scene, too */
     Transparency transparency;
     ExactNumberWhat written; /* by what is opaque, beside the G-buffer */
 } CacheSource;
@@ -99,6 +104,8 @@ bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *m
 /* Safe on an empty one, which it leaves behind. */
 void cache_delete(GlContext *gl, Cache *cache);
 
+/* Has the driver displace a mesh of that number for the view, where it does not stand so. */
+bool cache_displace(GlContext *gl, const CacheSource *source, Cache *cache, int mesh);
 /* The view is another. Nothing is made. cache_view.c, as is what follows. */
 bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache);
 /* So many objects from `first` on stand elsewhere. */

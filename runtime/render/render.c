@@ -143,6 +143,16 @@ static bool make_set(Render *render, const Scene *scene)
     return true;
 }
 
+/* What the driver cannot displace becomes meshes. */
+static bool settle_patches(Render *render, const Scene *scene)
+{
+    const SceneMaterial *material;
+    if (displaced_there(render->gl) || scene_displace_patches(scene))
+        return true;
+    const char *why = scene_displace_fault(scene, &material);
+    return gl_fail(render->gl, "the material '%s': its displacement %s", matc_material_name(material->document, material->index), why);
+}
+
 static bool make_scene(Render *render, const Scene *scene, Cache *before)
 {
     render->scene = scene;
@@ -153,7 +163,7 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
     if (indirect_lacks_view(render))
         return gl_fail(render->gl, "there is nothing to see of view '%s': %s", render->options.view,
                        indirect_lacks_view(render));
-    if (!make_set(render, scene) || !shadow_sheet_check(render))
+    if (!settle_patches(render, scene) || !make_set(render, scene) || !shadow_sheet_check(render))
         return false;
     if (shadow_sheet_needed(render))
         render->transparency = TRANSPARENCY_peeling;
@@ -228,7 +238,12 @@ bool render_changed(Render *render, unsigned what)
     if (what & (RENDER_CAMERA | RENDER_TIME)) {
         look(render);
         const CacheSource source = frame_source(render);
-        cache_view(render->gl, &source, &render->cache);
+        if (!cache_view(render->gl, &source, &render->cache))
+            return false;
+        if (render->cache.displaced_anew && source.triangles)
+            return render_changed_meshes(render);
+        if (render->cache.displaced_anew) /* and casts other shadows */
+            render->cache.displaced_anew = render->shadows.drawn = false;
     }
     render->uncounted |=
         (what & RENDER_CAMERA) != 0 || (what & RENDER_LIGHTS && pass_tone_count(render, FRAME_COUNT_wanted));

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BUCKETS = 1024, LONGEST_LIST = 32 /* names of attributes, or of outputs */ };
+enum { BUCKETS = 1024, LONGEST_LIST = 32 /* names of attributes, of outputs, or of what is captured */ };
 
 typedef struct {
     struct Entry *bucket[BUCKETS];
@@ -116,20 +116,20 @@ static Key key_of_text(const char *text) { return text ? key_of_bytes(text, strl
 /* The key of the keys of all parts, so that none runs into the next. */
 static Key key_of_program(const ProgramText *text)
 {
-    enum { LISTS = 3 * PROGRAM_PIECES + 2 };
-    Key parts[LISTS + 2 * LONGEST_LIST] = {{0}};
-    for (int i = 0; i < PROGRAM_PIECES && text->vertex[i]; i++)
-        parts[i] = key_of_text(text->vertex[i]);
-    for (int i = 0; i < PROGRAM_PIECES && text->fragment[i]; i++)
-        parts[PROGRAM_PIECES + i] = key_of_text(text->fragment[i]);
-    for (int i = 0; i < PROGRAM_PIECES && text->compute[i]; i++)
-        parts[2 * PROGRAM_PIECES + i] = key_of_text(text->compute[i]);
-    parts[LISTS - 2] = key_of_text(text->control[0]);
-    parts[LISTS - 1] = key_of_text(text->evaluation[0]);
-    for (int i = 0; i < text->attribute_count; i++)
-        parts[LISTS + i] = key_of_text(text->attributes[i]);
-    for (int i = 0; i < text->output_count; i++)
-        parts[LISTS + LONGEST_LIST + i] = key_of_text(text->outputs[i]);
+    const char *const *const stages[] = {text->vertex, text->fragment, text->compute, text->control, text->evaluation};
+    enum { STAGES = sizeof stages / sizeof *stages, LISTS = STAGES * PROGRAM_PIECES };
+    const struct {
+        const char *const *names;
+        int count;
+    } lists[] = {{text->attributes, text->attribute_count}, {text->outputs, text->output_count}, {text->captured, text->captured_count}};
+    enum { LIST_COUNT = sizeof lists / sizeof *lists };
+    Key parts[LISTS + LIST_COUNT * LONGEST_LIST] = {{0}};
+    for (int stage = 0; stage < STAGES; stage++)
+        for (int i = 0; i < PROGRAM_PIECES && stages[stage][i]; i++)
+            parts[stage * PROGRAM_PIECES + i] = key_of_text(stages[stage][i]);
+    for (int list = 0; list < LIST_COUNT; list++)
+        for (int i = 0; i < lists[list].count; i++)
+            parts[LISTS + list * LONGEST_LIST + i] = key_of_text(lists[list].names[i]);
     return key_of_bytes(parts, sizeof parts);
 }
 
@@ -141,7 +141,7 @@ static bool make_held(const Store *store, StoreItem *program)
 
 const StoreItem *store_program(Store *store, const ProgramText *text)
 {
-    if (text->attribute_count > LONGEST_LIST || text->output_count > LONGEST_LIST) {
+    if (text->attribute_count > LONGEST_LIST || text->output_count > LONGEST_LIST || text->captured_count > LONGEST_LIST) {
         gl_fail(store->gl, "a program of more than %d attributes or outputs", LONGEST_LIST);
         return NULL;
     }

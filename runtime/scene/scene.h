@@ -31,6 +31,7 @@ typedef struct {
     const char *path;
     Shape shape;
     int part; /* the file's material whose triangles these are; -1: all triangles of the file */
+    struct ScenePatches *patches; /* whoever draws it displaces it: scene_patches.h. NULL: it is as it stands here */
 } SceneMesh;
 
 typedef struct {
@@ -132,6 +133,7 @@ typedef struct Scene {
     SceneDisplacer *displacer;
     Word displaced_by;       /* how: WORD_Displacing_mesh, ... */
     double displaced_pixels; /* by bisection: that an error may have in the picture; 0: it is not looked at */
+    int displaced_level;     /* parts of an edge; 0: by the next */
     int displaced_triangles; /* to about how many such a mesh is divided, at least */
     int voxel_size;          /* voxels along an edge of the whole: a power of two */
     SceneIndirect indirect;
@@ -180,6 +182,11 @@ SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name
 SceneDisplaced scene_displace_by(Scene *scene, Word method);
 /* The word, if it is the name of such a method; else NULL. */
 const char *scene_displace_name(Word word);
+/* Whoever draws the scene cannot displace patches, or something wants their triangles: they become meshes that are divided alike, and so do those of later changes.
+ * False: see scene_displace_fault. */
+bool scene_displace_patches(const Scene *scene);
+/* A material's params have the values that were set, in its document, until this is called once more. */
+void scene_displace_params(const Scene *scene, int material);
 /* Why none could be made, and of which material. */
 const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material);
 

@@ -40,11 +40,12 @@ struct SceneDisplacer {
 
 /* One way through all objects: what each shall have, before any has it. */
 typedef struct {
-    Scene *scene;
+    const Scene *scene;
     SceneDisplacer *by;
     HashIndex index; /* of meshes, by their keys */
     int *next;       /* by object: its mesh */
     int64_t triangles;
+    int mesh_count;
 } Maker;
 
 static Key param_key(const SceneDisplacer *by, int material)
@@ -101,27 +102,28 @@ static bool fail(SceneDisplacer *by, int material, const char *why)
 }
 
 /* The values of a material's params become its document's defaults, and back. */
-static void swap_params(const Maker *k, int material)
+void scene_displace_params(const Scene *scene, int material)
 {
-    for (int i = 0; i < k->by->param_count; i++) {
-        Param *param = &k->by->params[i];
+    for (int i = 0; i < scene->displacer->param_count; i++) {
+        Param *param = &scene->displacer->params[i];
         double before[4];
         if (param->material != material)
             continue;
-        matc_set_default(k->scene->materials[material].document, param->name, param->lanes, param->count, before);
+        matc_set_default(scene->materials[material].document, param->name, param->lanes, param->count, before);
         memcpy(param->lanes, before, (size_t)param->count * sizeof *before);
     }
 }
 
-static bool make_shape(Maker *k, const SceneObject *object, const Base *base, Shape *made)
+static bool make_mesh(Maker *k, const SceneObject *object, const Base *base, SceneMesh *made)
 {
-    Scene *scene = k->scene;
+    const Scene *scene = k->scene;
     const SceneMaterial *of = &scene->materials[object->material];
     const SceneDisplacing how = {.document = of->document,
                                  .material = of->index,
                                  .options = &k->by->options,
                                  .world_from_local = object->world_from_local,
                                  .method = k->by->method,
+                                 .level = scene->displaced_level,
                                  .triangles = scene->displaced_triangles,
                                  .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL, /* by bisection alone */
                                  .pixels = scene->displaced_pixels};
@@ -130,14 +132,15 @@ static bool make_shape(Maker *k, const SceneObject *object, const Base *base, Sh
     before.kind = base->kind;
     if (base->kind != SCENE_Mesh && !scene_solid(&before, &solid))
         return fail(k->by, object->material, "takes more memory than there is");
-    swap_params(k, object->material);
-    const bool fine =
-        scene_displaced_shape(&how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
-    swap_params(k, object->material);
+    scene_displace_params(scene, object->material);
+    const bool fine = scene_displaced_mesh(&how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
+    scene_displace_params(scene, object->material);
     shape_free(&solid);
-    k->triangles += fine ? made->index_count / 3 : 0;
+    if (made->patches)
+        made->patches->material = object->material;
+    k->triangles += fine ? scene_displaced_triangles(made) : 0;
     if (k->triangles > SCENE_TRIANGLES) {
-        shape_free(made);
+        scene_mesh_free(made);
         return fail(k->by, object->material,
                     "makes too many triangles: `displacement: { triangles: 10000 }` makes fewer of each mesh");
     }
@@ -159,12 +162,12 @@ static bool displace(Maker *k, int number)
     const Key key = key_of(by, object, &by->bases[number]);
     int mesh = known_mesh(k, key);
     if (mesh < 0) {
-        Shape shape;
-        if (!make_shape(k, object, &by->bases[number], &shape))
+        SceneMesh made;
+        if (!make_mesh(k, object, &by->bases[number], &made))
             return false;
         mesh = vacant_mesh(by);
-        k->scene->meshes[mesh] = (SceneMesh){"", shape, -1};
-        k->scene->mesh_count = mesh < k->scene->mesh_count ? k->scene->mesh_count : mesh + 1;
+        k->scene->meshes[mesh] = made;
+        k->mesh_count = mesh < k->mesh_count ? k->mesh_count : mesh + 1;
         by->keys[mesh] = key;
         hash_index_add(NULL, &k->index, (uint32_t)key.low, (uint32_t)mesh);
     }
@@ -180,15 +183,14 @@ static void leave(Scene *scene, int mesh)
     if (--by->users[mesh])
         return;
     by->vacant = mesh < by->vacant ? mesh : by->vacant;
-    shape_free(&scene->meshes[mesh].shape);
-    scene->meshes[mesh].shape = (Shape){0};
+    scene_mesh_free(&scene->meshes[mesh]);
 }
 
 /* Objects get the meshes that they shall have; or, where something failed, keep theirs. */
-static bool settle(Maker *k, bool fine)
+static bool settle(Scene *scene, const Maker *k, bool fine)
 {
-    Scene *scene = k->scene;
     bool changed = false;
+    scene->mesh_count = k->mesh_count;
     for (int i = 0; i < scene->object_count; i++) {
         if (k->next[i] < 0)
             continue;
@@ -211,13 +213,13 @@ static bool settle(Maker *k, bool fine)
 static SceneDisplaced displace_objects(Scene *scene, int material, int first, int count)
 {
     SceneDisplacer *by = scene->displacer;
-    Maker k = {.scene = scene, .by = by, .next = malloc(((size_t)scene->object_count + 1) * sizeof *k.next)};
+    Maker k = {.scene = scene, .by = by, .next = malloc(((size_t)scene->object_count + 1) * sizeof *k.next), .mesh_count = scene->mesh_count};
     bool fine = k.next != NULL || fail(by, scene->objects[first].material, "takes more memory than there is"),
          changed = false;
     for (int i = by->first; fine && i < scene->mesh_count; i++)
         if (by->users[i]) {
             hash_index_add(NULL, &k.index, (uint32_t)by->keys[i].low, (uint32_t)i);
-            k.triangles += scene->meshes[i].shape.index_count / 3;
+            k.triangles += scene_displaced_triangles(&scene->meshes[i]);
         }
     for (int i = 0; k.next && i < scene->object_count; i++)
         k.next[i] = -1;
@@ -225,7 +227,7 @@ static SceneDisplaced displace_objects(Scene *scene, int material, int first, in
         if (by->bases[i].kind != SCENE_Plane && (material < 0 || scene->objects[i].material == material))
             fine = displace(&k, i);
     if (k.next)
-        changed = settle(&k, fine);
+        changed = settle(scene, &k, fine);
     hash_index_free(&k.index);
     free(k.next);
     return !fine ? SCENE_DISPLACED_failed : changed ? SCENE_DISPLACED_anew : SCENE_DISPLACED_same;
@@ -307,6 +309,27 @@ SceneDisplaced scene_displace_by(Scene *scene, Word method)
     if (made == SCENE_DISPLACED_failed)
         scene->displaced_by = scene->displacer->method = before;
     return made;
+}
+
+bool scene_displace_patches(const Scene *scene)
+{
+    SceneDisplacer *by = scene->displacer;
+    Maker k = {.scene = scene, .by = by};
+    bool fine = true;
+    if (!scene->displaced || !scene_displaced_by_driver(by->method))
+        return true;
+    by->method = WORD_Displacing_mesh;
+    for (int i = 0; fine && i < scene->object_count; i++) {
+        SceneMesh *mesh = by->bases[i].kind != SCENE_Plane ? &scene->meshes[scene->objects[i].mesh] : NULL, made;
+        if (!mesh || !mesh->patches)
+            continue;
+        fine = make_mesh(&k, &scene->objects[i], &by->bases[i], &made);
+        if (fine) {
+            scene_mesh_free(mesh);
+            *mesh = made;
+        }
+    }
+    return fine;
 }
 
 SceneDisplaced scene_displace_moved(Scene *scene, int first, int count)

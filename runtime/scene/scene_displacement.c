@@ -134,10 +134,18 @@ static bool move_shape(Mover *mover, Shape *shape)
     return fine;
 }
 
+/* Of an edge, so that all triangles become so many. */
+static int parts_for(const Shape *from, double triangles)
+{
+    const double parts = ceil(sqrt(triangles / fmax(from->index_count / 3., 1)));
+    return parts > 1 ? (int)parts : 1;
+}
+
+static int parts_of(const SceneDisplacing *how, const Shape *from) { return how->level ? how->level : parts_for(from, how->triangles); }
+
 static bool divide_alike(Mover *mover, const Shape *from, Shape *made)
 {
-    const double parts = ceil(sqrt((double)mover->how->triangles / fmax(from->index_count / 3., 1)));
-    if (!scene_divide(from, parts > 1 ? (int)parts : 1, made))
+    if (!scene_divide(from, parts_of(mover->how, from), made))
         return false;
     if (move_shape(mover, made))
         return true;
@@ -145,7 +153,7 @@ static bool divide_alike(Mover *mover, const Shape *from, Shape *made)
     return false;
 }
 
-bool scene_displaced_shape(const SceneDisplacing *how, const Shape *from, Shape *made)
+static bool divide(const SceneDisplacing *how, const Shape *from, Shape *made)
 {
     Mover mover = {.how = how};
     *made = (Shape){0};
@@ -155,4 +163,68 @@ bool scene_displaced_shape(const SceneDisplacing *how, const Shape *from, Shape 
         return divide_alike(&mover, from, made);
     const SceneRefining refining = {move_points, &mover, how->triangles, how->seen ? pixels_at : NULL, how->pixels};
     return scene_refine(from, &refining, made);
+}
+
+/* What of a motion of length 1 in the world is along an axis of the object's space: a row of the inverse. */
+static void set_reach(const SceneMatrix *inverse, double bound, double reach[3])
+{
+    for (int i = 0; i < 3; i++)
+        reach[i] = bound * sqrt(inverse->m[i] * inverse->m[i] + inverse->m[4 + i] * inverse->m[4 + i] + inverse->m[8 + i] * inverse->m[8 + i]);
+}
+
+static double bound_of(const SceneDisplacing *how)
+{
+    MatcOptions options = *how->options;
+    options.pass = "depth";
+    options.moved = false;
+    MatcProgram *program = matc_compile(how->document, how->material, MATC_KEY, &options);
+    const double bound = matc_ok(program) ? matc_displacement_bound(program) : INFINITY;
+    matc_program_free(program);
+    return bound;
+}
+
+/* 131072 triangles of a box: 105 parts of an edge, which are 2 patches of 53. By the picture 512 patches or more, which have 256 triangles each where all edges have 16 parts. */
+static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Shape *made, ScenePatches **patches)
+{
+    enum { USUAL_TRIANGLES = 256 };
+    const bool by_picture = how->pixels > 0;
+    const int parts = parts_of(how, from);
+    const int across = by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES) : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
+    const int most = how->level && how->level < SCENE_PATCH_PARTS ? how->level : SCENE_PATCH_PARTS;
+    const double bound = bound_of(how);
+    SceneMatrix inverse;
+    *made = (Shape){0};
+    *patches = NULL;
+    if (!isfinite(bound) || !scene_matrix_invert(&how->world_from_local, &inverse))
+        return true;
+    *patches = calloc(1, sizeof **patches);
+    if (!*patches || !scene_divide(from, across, made) || !scene_patches_make(made, *patches)) {
+        shape_free(made);
+        free(*patches);
+        *patches = NULL;
+        return false;
+    }
+    (*patches)->method = how->method;
+    (*patches)->world_from_local = how->world_from_local;
+    (*patches)->level = by_picture ? most : (parts + across - 1) / across;
+    (*patches)->pixels = how->pixels;
+    (*patches)->triangles = how->triangles;
+    set_reach(&inverse, bound, (*patches)->reach);
+    return true;
+}
+
+bool scene_displaced_by_driver(Word method) { return method != WORD_Displacing_mesh && method != WORD_Displacing_bisection; }
+
+bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made)
+{
+    *made = (SceneMesh){.path = "", .part = -1};
+    if (scene_displaced_by_driver(how->method) && !divide_to_patches(how, from, &made->shape, &made->patches))
+        return false;
+    return made->patches || divide(how, from, &made->shape);
+}
+
+int64_t scene_displaced_triangles(const SceneMesh *mesh)
+{
+    const int64_t parts = mesh->patches ? mesh->patches->level : 1;
+    return (mesh->patches ? mesh->patches->count : mesh->shape.index_count / 3) * parts * parts;
 }

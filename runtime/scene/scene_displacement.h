@@ -1,6 +1,7 @@
 /* A mesh that is displaced, as plain triangles. */
 #ifndef MATC_SCENE_DISPLACEMENT_H
 #define MATC_SCENE_DISPLACEMENT_H
+#include "runtime/scene/scene_patches.h"
 #include "runtime/scene/scene_seen.h"
 
 /* By which material, with whose options, where in the world, how it is divided, and to how many triangles at least. */
@@ -11,10 +12,16 @@ typedef struct {
     SceneMatrix world_from_local;
     Word method; /* WORD_Displacing_mesh, ... */
     int triangles;
+    int level;             /* parts of an edge of `from`, whatever `triangles` are; 0: by these */
     const SceneSeen *seen; /* by whom, where triangles go by what is seen; or NULL */
     double pixels;         /* that an error may have then */
 } SceneDisplacing;
 
-/* False: memory ran out, or a value takes too many operations; *made is empty. */
-bool scene_displaced_shape(const SceneDisplacing *how, const Shape *from, Shape *made);
+/* Moved triangles; or, by a method of the driver's, patches: where the height has a bound, since nobody knew else where points are. False: memory ran out, or a value takes too
+ * many operations; *made is empty. */
+bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
+/* Whoever draws the scene displaces by that method. */
+bool scene_displaced_by_driver(Word method);
+/* That it has, or is made into, at most. */
+int64_t scene_displaced_triangles(const SceneMesh *mesh);
 #endif

@@ -96,7 +96,7 @@ static uint32_t number_of(Found *f, const ShapeVertex *vertex)
 /* Row i of a triangle has i + 1 vertices, from the edge at corner 0 on. */
 static int place_in_rows(int row, int i) { return row * (row + 1) / 2 + i; }
 
-static uint32_t *put_rows(const uint32_t *rows, int n, uint32_t *next)
+uint32_t *scene_divide_rows(const uint32_t *rows, int n, uint32_t *next)
 {
     for (int row = 0; row < n; row++)
         for (int i = 0; i <= row; i++) {
@@ -137,7 +137,7 @@ bool scene_divide(const Shape *shape, int n, Shape *made)
                 const ShapeVertex vertex = between(corner, (int[]){n - row, row - i, i}, n);
                 rows[place_in_rows(row, i)] = number_of(&found, &vertex);
             }
-        next = put_rows(rows, n, next);
+        next = scene_divide_rows(rows, n, next);
     }
     hash_index_free(&found.index);
     free(rows);

@@ -1,6 +1,7 @@
 /* Text -> Scene: the document's outermost level. */
 #include "compiler/document.h"
 #include "runtime/scene/scene_part.h"
+#include "runtime/scene/scene_patches.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -91,9 +92,14 @@ static void read_displacement(SceneReader *r, Tree *tree)
     r->scene->displaced_by = (Word)scene_thing_number(&thing, S_Displacement_method);
     r->scene->displaced_pixels = scene_thing_number(&thing, S_Displacement_pixels);
     r->scene->displaced_triangles = (int)scene_thing_number(&thing, S_Displacement_triangles);
-    if (r->scene->displaced_by == WORD_Displacing_bisection || !(r->scene->displaced_pixels > 0))
+    r->scene->displaced_level = (int)scene_thing_number(&thing, S_Displacement_level);
+    const Word method = r->scene->displaced_by;
+    if (method == WORD_Displacing_mesh && r->scene->displaced_pixels > 0)
+        diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels);
+    else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
+        diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
+    else
         return;
-    diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels);
     r->fine = false;
 }
 
@@ -190,7 +196,7 @@ void scene_free(Scene *scene)
         return;
     scene_displace_free(scene);
     for (int i = 0; i < scene->mesh_count; i++)
-        shape_free(&scene->meshes[i].shape);
+        scene_mesh_free(&scene->meshes[i]);
     for (int i = 0; i < scene->document_count; i++)
         matc_document_free(scene->documents[i]);
     free(scene);

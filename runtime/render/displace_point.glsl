@@ -1,0 +1,70 @@
+// A point of a patch, displaced: what stages share that make triangles of patches. matc_displaced() stands before it.
+
+// Rows of four: position and u, normal and v, dP/du, dP/dv; and patches of 12 numbers of rows: corners as they shade, corners as they move, and
+// the ends of edges 0, 1 and 2 as they move. What is drawn: a patch, and in bytes 0 to 2 the parts of its edges, in byte 3 those of its inside.
+layout(std430, binding = 6) readonly buffer DisplaceRows {
+    vec4 displace_rows[];
+};
+layout(std430, binding = 7) readonly buffer DisplacePatches {
+    uint displace_patches[];
+};
+layout(std430, binding = 8) readonly buffer DisplaceDrawn {
+    uvec2 displace_drawn[];
+};
+uniform mat3 displace_localFromWorld;
+
+uvec4 displaceParts(uint drawn)
+{
+    return uvec4(drawn, drawn >> 8, drawn >> 16, drawn >> 24) & 255u;
+}
+
+#ifdef DISPLACE_POINT
+precise out vec3 displaced_position;
+out vec3 displaced_normal;
+out vec2 displaced_texcoord;
+out vec3 displaced_tangentU, displaced_tangentV;
+precise out vec3 displaced_base;
+
+// Mixed of three rows. Where one weight is 0 it is the sum of two products, which is the same in either order.
+vec4 displaceMixed(uvec3 rows, vec3 w, uint part)
+{
+    precise vec4 sum = displace_rows[4u * rows.x + part] * w.x + displace_rows[4u * rows.y + part] * w.y
+                     + displace_rows[4u * rows.z + part] * w.z;
+    return sum;
+}
+
+// The rows by which the point moves: all that stand in its place have the same.
+uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
+{
+    for (int k = 0; k < 3; k++)
+        if (w[k] == 1.0)
+            return uvec3(displace_patches[first + 3u + uint(k)]);
+    for (int k = 0; k < 3; k++)
+        if (w[k] == 0.0) {
+            uint edge = first + 6u + 2u * uint(k);
+            own[(k + 1) % 3] = displace_patches[edge];
+            own[(k + 2) % 3] = displace_patches[edge + 1u];
+            return own;
+        }
+    return own;
+}
+
+// Sets what is captured: the point of these weights, whose sum is 1.
+void displacePoint(uint patchNumber, vec3 w)
+{
+    uint first = 12u * patchNumber;
+    uvec3 own = uvec3(displace_patches[first], displace_patches[first + 1u], displace_patches[first + 2u]);
+    uvec3 moving = displaceMoving(first, own, w);
+    vec4 position = displaceMixed(own, w, 0u), normal = displaceMixed(own, w, 1u);
+    vec4 along = displaceMixed(moving, w, 0u), up = displaceMixed(moving, w, 1u);
+    displaced_base = position.xyz;
+    displaced_normal = normal.xyz / max(length(normal.xyz), 1e-30);
+    displaced_texcoord = vec2(position.w, normal.w);
+    displaced_tangentU = displaceMixed(own, w, 2u).xyz;
+    displaced_tangentV = displaceMixed(own, w, 3u).xyz;
+    precise vec3 from = (matc_worldFromLocal * vec4(position.xyz, 1.0)).xyz;
+    precise vec3 to = matc_displaced(position.xyz, up.xyz, vec2(along.w, up.w), displaceMixed(moving, w, 2u).xyz,
+                                     displaceMixed(moving, w, 3u).xyz);
+    displaced_position = position.xyz + displace_localFromWorld * (to - from);
+}
+#endif

@@ -1,0 +1,33 @@
+/* Meshes that the driver displaces: patches (scene_patches.h) become triangles in a buffer, by transform feedback, once, or once for each camera that they go by. All that draws
+ * afterwards sees a mesh like any other: no pass knows how it came about, or that it was displaced at all. */
+#ifndef MATC_RENDER_DISPLACED_H
+#define MATC_RENDER_DISPLACED_H
+#include "runtime/gl/mesh.h"
+#include "runtime/render/material.h"
+#include "runtime/scene/scene_patches.h"
+
+typedef struct {
+    const ScenePatches *patches; /* the scene's, of that mesh */
+    int mesh;
+    Material material;           /* writes displaced points */
+    bool tessellated;            /* or by grids */
+    bool written, anew;          /* the last call of displaced_write had to */
+    uint8_t (*parts)[3];         /* that were written: of each patch's edges, as scene_patches_levels has them */
+    GLuint buffers[3];           /* rows, patches, and which are drawn: displace_point.glsl */
+    GLuint array;                /* of no attributes */
+    size_t room[2];              /* bytes of the mesh's buffers */
+    int points;                  /* that were written */
+    int triangles;               /* that the tessellator has room for */
+} Displaced;
+
+/* The driver can: OpenGL 4.5, with buffers that its stages read. */
+bool displaced_there(const GlContext *gl);
+/* Makes programs and buffers of a mesh of the scene that has patches; of the mesh nothing yet but its arrays. False: see the context's error; *made is empty. */
+bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile, int mesh, Displaced *made);
+/* Writes the triangles for that camera, where they are not those that are there. False: see the context's error. */
+bool displaced_write(Displaced *displaced, const SceneCamera *camera, const int size[2], Mesh *mesh);
+/* The triangles that were written last. False: see the context's error; *made is empty. */
+bool displaced_read(const Displaced *displaced, const Mesh *mesh, Shape *made);
+/* Safe on an empty one, which it leaves behind. */
+void displaced_delete(Displaced *displaced);
+#endif

@@ -1,0 +1,220 @@
+/* What moves the points of patches. Within a patch it is its corners' own; on an edge that is hard, the sum of its two sides' normals, mixed between its ends; along a seam, what
+ * the first patch has there; at a corner the same of all around it.
+ *
+ *     Two faces of a box: their edge moves along the sum of their normals, points beside it along their own face's. */
+#include "runtime/scene/scene_patches.h"
+#include "compiler/base/hash_index.h"
+#include "runtime/scene/scene_divide.h"
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_seen.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An edge by the places of its ends; the lesser first. */
+typedef struct {
+    int place[2];
+    uint32_t owner[2]; /* the vertices of its first patch */
+    uint32_t row[2];   /* theirs, or where normals differ, rows with the sum */
+} Edge;
+
+typedef struct {
+    const Shape *shape;
+    const int *first; /* by vertex: the first of its place */
+    ScenePatches *made;
+    Edge *edges;
+    int edge_count;
+    HashIndex index;
+} Maker;
+
+static bool differ(const ShapeVertex *a, const ShapeVertex *b) { return memcmp(a->normal, b->normal, sizeof a->normal) != 0; }
+
+static void add_normal(const ShapeVertex *from, ShapeVertex *to)
+{
+    for (int i = 0; i < 3; i++)
+        to->normal[i] += from->normal[i];
+}
+
+static uint32_t copy_row(ScenePatches *made, uint32_t row)
+{
+    made->rows[made->row_count] = made->rows[row];
+    return (uint32_t)made->row_count++;
+}
+
+static Edge *edge_of(Maker *m, const uint32_t ends[2])
+{
+    const int places[2] = {m->first[ends[0]], m->first[ends[1]]};
+    const uint32_t hash = ((uint32_t)places[0] * 0x9E3779B1u ^ (uint32_t)places[1]) * 0x85EBCA77u;
+    HashProbe probe = hash_probe(&m->index, hash);
+    while (hash_probe_next(&probe))
+        if (!memcmp(m->edges[probe.number].place, places, sizeof places))
+            return &m->edges[probe.number];
+    hash_index_add(NULL, &m->index, hash, (uint32_t)m->edge_count);
+    Edge *edge = &m->edges[m->edge_count++];
+    *edge = (Edge){{places[0], places[1]}, {ends[0], ends[1]}, {ends[0], ends[1]}};
+    return edge;
+}
+
+/* The ends of edge k of a triangle, the lesser place first; whether that turns them round. */
+static bool ends_of(const Maker *m, int triangle, int k, uint32_t ends[2])
+{
+    const uint32_t *index = &m->shape->indices[3 * (size_t)triangle];
+    const uint32_t a = index[(k + 1) % 3], b = index[(k + 2) % 3];
+    const bool turned = m->first[b] < m->first[a];
+    ends[0] = turned ? b : a;
+    ends[1] = turned ? a : b;
+    return turned;
+}
+
+/* Normals of one more patch at it. */
+static void join(Maker *m, Edge *edge, const uint32_t ends[2])
+{
+    ShapeVertex *rows = m->made->rows;
+    const Edge was = *edge;
+    if (!differ(&rows[ends[0]], &rows[was.owner[0]]) && !differ(&rows[ends[1]], &rows[was.owner[1]]))
+        return;
+    for (int i = 0; i < 2; i++) {
+        if (was.row[i] == was.owner[i])
+            edge->row[i] = copy_row(m->made, was.owner[i]);
+        add_normal(&rows[ends[i]], &rows[edge->row[i]]);
+    }
+}
+
+static void find_edges(Maker *m)
+{
+    for (int t = 0; t < m->made->count; t++)
+        for (int k = 0; k < 3; k++) {
+            uint32_t ends[2];
+            ends_of(m, t, k, ends);
+            join(m, edge_of(m, ends), ends);
+        }
+    for (int t = 0; t < m->made->count; t++)
+        for (int k = 0; k < 3; k++) {
+            uint32_t ends[2];
+            const bool turned = ends_of(m, t, k, ends);
+            const Edge *edge = edge_of(m, ends);
+            for (int i = 0; i < 2; i++)
+                m->made->at[t].edge[k][i] = edge->row[turned ? 1 - i : i];
+        }
+}
+
+/* False: memory ran out. */
+static bool find_corners(Maker *m)
+{
+    const int count = m->shape->vertex_count;
+    uint32_t *row = calloc((size_t)count + 1, sizeof *row);
+    for (int i = 0; row && i < count; i++) {
+        const int first = m->first[i];
+        if (first == i)
+            row[i] = (uint32_t)i;
+        if (first == i || !differ(&m->made->rows[i], &m->made->rows[first]))
+            continue;
+        if (row[first] == (uint32_t)first)
+            row[first] = copy_row(m->made, (uint32_t)first);
+        add_normal(&m->made->rows[i], &m->made->rows[row[first]]);
+    }
+    for (int t = 0; row && t < m->made->count; t++)
+        for (int k = 0; k < 3; k++) {
+            m->made->at[t].own[k] = m->shape->indices[3 * t + k];
+            m->made->at[t].corner[k] = row[m->first[m->made->at[t].own[k]]];
+        }
+    free(row);
+    return row != NULL;
+}
+
+bool scene_patches_make(const Shape *shape, ScenePatches *made)
+{
+    const size_t triangles = (size_t)shape->index_count / 3, vertices = (size_t)shape->vertex_count;
+    int *first = scene_places(shape);
+    Maker m = {.shape = shape, .first = first, .made = made, .edges = calloc(3 * triangles + 1, sizeof *m.edges)};
+    *made = (ScenePatches){.rows = calloc(2 * vertices + 6 * triangles + 1, sizeof *made->rows),
+                           .at = calloc(triangles + 1, sizeof *made->at),
+                           .row_count = shape->vertex_count,
+                           .count = (int)triangles};
+    bool fine = first && m.edges && made->rows && made->at;
+    if (fine) {
+        memcpy(made->rows, shape->vertices, vertices * sizeof *made->rows);
+        find_edges(&m);
+        fine = find_corners(&m);
+    }
+    hash_index_free(&m.index);
+    free(m.edges);
+    free(first);
+    if (!fine)
+        scene_patches_free(made);
+    return fine;
+}
+
+void scene_patches_free(ScenePatches *patches)
+{
+    free(patches->rows);
+    free(patches->at);
+    *patches = (ScenePatches){0};
+}
+
+void scene_mesh_free(SceneMesh *mesh)
+{
+    shape_free(&mesh->shape);
+    if (mesh->patches)
+        scene_patches_free(mesh->patches);
+    free(mesh->patches);
+    *mesh = (SceneMesh){.path = "", .part = -1};
+}
+
+/* By sums of both ends, whose order does not matter. */
+static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen, const float *const ends[2])
+{
+    const double *m = patches->world_from_local.m;
+    double world[2][3], middle[3], way[3];
+    for (int i = 0; i < 6; i++)
+        world[i / 3][i % 3] = m[i % 3] * (double)ends[i / 3][0] + m[4 + i % 3] * (double)ends[i / 3][1] + m[8 + i % 3] * (double)ends[i / 3][2] + m[12 + i % 3];
+    for (int i = 0; i < 3; i++) {
+        middle[i] = (world[0][i] + world[1][i]) / 2;
+        way[i] = world[1][i] - world[0][i];
+    }
+    const double wanted = sqrt(scene_vector_dot(way, way)) * scene_seen_pixels(seen, middle) / patches->pixels;
+    int parts = 1;
+    while (2 * parts <= patches->level && parts < wanted)
+        parts *= 2;
+    return (uint8_t)parts;
+}
+
+static int larger(int a, int b) { return a > b ? a : b; }
+
+int scene_patch_parts(const uint8_t parts[3]) { return larger(larger(parts[0], parts[1]), parts[2]); }
+
+/* No edge has more parts than that. */
+static int64_t triangles_of(const ScenePatches *patches, uint8_t (*parts)[3], int most)
+{
+    int64_t sum = 0;
+    for (int t = 0; t < patches->count; t++) {
+        const int n = scene_patch_parts(parts[t]);
+        sum += (int64_t)(n < most ? n : most) * (n < most ? n : most);
+    }
+    return sum;
+}
+
+static void bound_parts(const ScenePatches *patches, uint8_t (*parts)[3])
+{
+    int most = SCENE_PATCH_PARTS;
+    while (most > 1 && triangles_of(patches, parts, most) > patches->triangles)
+        most /= 2;
+    for (int i = 0; i < 3 * patches->count; i++)
+        parts[i / 3][i % 3] = (uint8_t)(parts[i / 3][i % 3] < most ? parts[i / 3][i % 3] : most);
+}
+
+void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2], uint8_t (*parts)[3])
+{
+    SceneSeen seen = {.count = 1, .shorter = size[0] < size[1] ? size[0] : size[1]};
+    for (int i = 0; i < 2; i++)
+        seen.half[i] = size[i] / seen.shorter;
+    seen.cameras[0] = *camera;
+    for (int t = 0; t < patches->count; t++)
+        for (int k = 0; k < 3; k++) {
+            const uint32_t *own = patches->at[t].own;
+            const float *const ends[2] = {patches->rows[own[(k + 1) % 3]].position, patches->rows[own[(k + 2) % 3]].position};
+            parts[t][k] = patches->pixels > 0 ? parts_of(patches, &seen, ends) : (uint8_t)patches->level;
+        }
+    if (patches->pixels > 0)
+        bound_parts(patches, parts);
+}

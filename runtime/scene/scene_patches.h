@@ -1,0 +1,40 @@
+/* A mesh that is divided and displaced by whoever draws it: patches, which are triangles, and what their points are moved by. */
+#ifndef MATC_SCENE_PATCHES_H
+#define MATC_SCENE_PATCHES_H
+#include "runtime/scene/scene.h"
+
+enum { SCENE_PATCH_PARTS = 64 /* that an edge of a patch has at most */ };
+
+/* Rows of ScenePatches: points within a patch are mixed of `own`; what moves the points of an edge, or of a corner, is the same for all patches that
+ * have it, since these stand in one place. */
+typedef struct {
+    uint32_t own[3], corner[3];
+    uint32_t edge[3][2]; /* edge k is opposite corner k, and leads from corner k + 1 to k + 2 */
+} ScenePatch;
+
+typedef struct ScenePatches {
+    ShapeVertex *rows; /* those of the shape first */
+    ScenePatch *at;
+    int row_count, count;
+    Word method; /* of the list Displacing */
+    int material;
+    SceneMatrix world_from_local;
+    double reach[3]; /* no point moves farther along the axes of the object's space */
+    int level;       /* parts of an edge; of those that go by the picture at most */
+    double pixels;   /* that an edge of the triangles they become is long in the picture; 0: all have `level` parts */
+    int triangles;   /* that they become at most then */
+} ScenePatches;
+
+/* Patches of a shape whose vertices differ from each other; the numbers behind row_count are not set. False: memory ran out, *made is empty. */
+bool scene_patches_make(const Shape *shape, ScenePatches *made);
+/* Safe on an empty one. */
+void scene_patches_free(ScenePatches *patches);
+/* Of the inside: as many as the edge has that has most. */
+int scene_patch_parts(const uint8_t parts[3]);
+/* A mesh and its patches; leaves an empty one behind. */
+void scene_mesh_free(SceneMesh *mesh);
+/* Into how many parts edges 0 to 2 of each patch are divided as `camera` sees them, in a picture of `size` pixels, Triangles that share an
+ * edge have the same number for it: it goes by the edge's ends. It is a power of two, so that points of a coarser division are among those of a finer. Triangles are
+ * at most as many as the patches say, as long as these are not more themselves. */
+void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2], uint8_t (*parts)[3]);
+#endif
