@@ -104,9 +104,13 @@ static bool make_displaced(Maker *m, int number)
     cache->meshes[mesh].body = body == SHAPE_BODY_solid ? SHAPE_BODY_closed : body;
     cache->boxes[mesh] = box_of_patches(from);
     cache->mesh_count++;
-    return displaced_make(m->store, source->scene, source->compile, number, &cache->displaced[mesh]) ?
-           cache_displace(m->gl, source, cache, mesh) :
-           set_fail(m->gl, source->scene, from->patches->material);
+    if (!displaced_make(m->store, source->scene, source->compile, number, &cache->displaced[mesh]))
+        return set_fail(m->gl, source->scene, from->patches->material);
+    if (!cache_displace(m->gl, source, cache, mesh))
+        return false;
+    if (source->triangles)
+        cache->boxes[mesh] = cull_box(&from->shape);
+    return true;
 }
 
 static bool is_patches(const Maker *m, const SceneObject *object)

@@ -136,16 +136,13 @@ void displaced_delete(Displaced *d)
 
 /* -- triangles */
 
-/* Room in a buffer of the mesh. */
-static void reserve(Displaced *d, const Mesh *mesh, int buffer, size_t bytes)
+/* New memory for a buffer of the mesh: what is still drawn keeps the old one. */
+static void reserve(const Displaced *d, const Mesh *mesh, int buffer, size_t bytes)
 {
     const GlContext *gl = context(d);
-    if (bytes <= d->room[buffer])
-        return;
     gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[buffer]);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
-    d->room[buffer] = bytes;
 }
 
 /* Patches by the parts of their insides: `first` of each number of parts, and behind the last. */
@@ -288,17 +285,17 @@ static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], cons
 /* A tessellator makes about n^2 3 / 2 triangles of a patch: rings of 3 n, 3 (n - 2), ... quads. */
 static bool write_tessellated(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Mesh *mesh)
 {
-    int triangles = 0;
+    int room, made = 0;
     for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
-        triangles += (first[n + 1] - first[n]) * (3 * n * n / 2 + 2);
-    for (int made = triangles + 1; made > d->triangles; triangles = made) {
-        d->triangles = triangles > d->triangles ? triangles : d->triangles;
-        reserve(d, mesh, 0, 3 * (size_t)d->triangles * sizeof(MeshCaptured));
+        made += (first[n + 1] - first[n]) * (3 * n * n / 2 + 2);
+    do {
+        room = made;
+        reserve(d, mesh, 0, 3 * (size_t)room * sizeof(MeshCaptured));
         made = tessellate(d, first, mesh);
         if (made < 0)
             return false;
-        mesh->index_count = d->points = 3 * made;
-    }
+    } while (made > room);
+    mesh->index_count = d->points = 3 * made;
     const size_t count = (size_t)mesh->index_count;
     uint32_t *indices = malloc((count + 1) * sizeof *indices);
     for (size_t i = 0; indices && i < count; i++)

@@ -15,9 +15,7 @@ typedef struct {
     uint8_t (*parts)[3];         /* that were written: of each patch's edges, as scene_patches_levels has them */
     GLuint buffers[3];           /* rows, patches, and which are drawn: displace_point.glsl */
     GLuint array;                /* of no attributes */
-    size_t room[2];              /* bytes of the mesh's buffers */
     int points;                  /* that were written */
-    int triangles;               /* that the tessellator has room for */
 } Displaced;
 
 /* The driver can: OpenGL 4.5, with buffers that its stages read. */

@@ -207,7 +207,7 @@ void frame_use(const Render *render, const Framebuffer *framebuffer)
 
 bool frame_wants_triangles(const Render *render)
 {
-    bool wants = pass_edge_needed(render);
+    bool wants = pass_edge_needed(render) || pass_voxels_needed(render);
     for (int i = 0; !wants && i < render->scene->light_count; i++)
         wants = render->scene->lights[i].shadows == WORD_Shadows_exact || render->scene->lights[i].shadows == WORD_Shadows_silhouette;
     return wants;

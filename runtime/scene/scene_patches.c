@@ -55,11 +55,11 @@ static Edge *edge_of(Maker *m, const uint32_t ends[2])
     return edge;
 }
 
-/* The ends of edge k of a triangle, the lesser place first; whether that turns them round. */
-static bool ends_of(const Maker *m, int triangle, int k, uint32_t ends[2])
+/* The ends of edge k of a patch, the lesser place first; whether that turns them round. */
+static bool ends_of(const Maker *m, int patch, int k, uint32_t ends[2])
 {
-    const uint32_t *index = &m->shape->indices[3 * (size_t)triangle];
-    const uint32_t a = index[(k + 1) % 3], b = index[(k + 2) % 3];
+    const uint32_t *own = m->made->at[patch].own;
+    const uint32_t a = own[(k + 1) % 3], b = own[(k + 2) % 3];
     const bool turned = m->first[b] < m->first[a];
     ends[0] = turned ? b : a;
     ends[1] = turned ? a : b;
@@ -77,6 +77,17 @@ static void join(Maker *m, Edge *edge, const uint32_t ends[2])
         if (was.row[i] == was.owner[i])
             edge->row[i] = copy_row(m->made, was.owner[i]);
         add_normal(&rows[ends[i]], &rows[edge->row[i]]);
+    }
+}
+
+/* All triangles but those with two corners in one place, at a pole: their points lie on an edge that their neighbours share. */
+static void find_patches(Maker *m)
+{
+    for (int i = 0; i + 2 < m->shape->index_count; i += 3) {
+        const uint32_t *index = &m->shape->indices[i];
+        const int places[3] = {m->first[index[0]], m->first[index[1]], m->first[index[2]]};
+        if (places[0] != places[1] && places[1] != places[2] && places[2] != places[0])
+            memcpy(m->made->at[m->made->count++].own, index, sizeof m->made->at->own);
     }
 }
 
@@ -114,10 +125,8 @@ static bool find_corners(Maker *m)
         add_normal(&m->made->rows[i], &m->made->rows[row[first]]);
     }
     for (int t = 0; row && t < m->made->count; t++)
-        for (int k = 0; k < 3; k++) {
-            m->made->at[t].own[k] = m->shape->indices[3 * t + k];
+        for (int k = 0; k < 3; k++)
             m->made->at[t].corner[k] = row[m->first[m->made->at[t].own[k]]];
-        }
     free(row);
     return row != NULL;
 }
@@ -129,11 +138,11 @@ bool scene_patches_make(const Shape *shape, ScenePatches *made)
     Maker m = {.shape = shape, .first = first, .made = made, .edges = calloc(3 * triangles + 1, sizeof *m.edges)};
     *made = (ScenePatches){.rows = calloc(2 * vertices + 6 * triangles + 1, sizeof *made->rows),
                            .at = calloc(triangles + 1, sizeof *made->at),
-                           .row_count = shape->vertex_count,
-                           .count = (int)triangles};
+                           .row_count = shape->vertex_count};
     bool fine = first && m.edges && made->rows && made->at;
     if (fine) {
         memcpy(made->rows, shape->vertices, vertices * sizeof *made->rows);
+        find_patches(&m);
         find_edges(&m);
         fine = find_corners(&m);
     }

@@ -76,7 +76,7 @@ static bool add_displacement(Comparison *c)
     bool fine = c->given->displaced || gl_fail(c->gl, "no material of the scene displaces an object");
     for (int i = 0; fine && i < WORD_COUNT; i++) {
         const char *name = scene_displace_name((Word)i);
-        if (!name)
+        if (!name || i == WORD_Displacing_auto)
             continue;
         fine = scene_displace_by(c->given, (Word)i) != SCENE_DISPLACED_failed ||
                gl_fail(c->gl, "displacement by %s takes too many triangles, operations, or more memory than there is",
