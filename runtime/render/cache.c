@@ -71,67 +71,6 @@ static bool take_mesh(Maker *m, Key key)
     return false;
 }
 
-static bool make_mesh_of(Maker *m, const Shape *shape)
-{
-    Cache *cache = m->cache;
-    if (!mesh_make_of(m->gl, shape, &cache->meshes[cache->mesh_count]))
-        return false;
-    cache->boxes[cache->mesh_count++] = cull_box(shape);
-    return true;
-}
-
-/* Around all places where points may be moved to. */
-static CullBox box_of_patches(const SceneMesh *mesh)
-{
-    CullBox box = cull_box(&(Shape){.vertices = mesh->patches->rows, .vertex_count = mesh->patches->row_count});
-    for (int k = 0; k < 3; k++) {
-        box.low[k] -= mesh->patches->reach[k];
-        box.high[k] += mesh->patches->reach[k];
-    }
-    return box;
-}
-
-/* That the driver displaces: it may run through itself, and show its back there. */
-static bool make_displaced(Maker *m, int number)
-{
-    Cache *cache = m->cache;
-    const CacheSource *source = m->source;
-    const SceneMesh *from = &source->scene->meshes[number];
-    const int mesh = cache->mesh_count;
-    if (!mesh_make_captured(m->gl, &cache->meshes[mesh]))
-        return false;
-    const ShapeBody body = shape_body(&from->shape);
-    cache->meshes[mesh].body = body == SHAPE_BODY_solid ? SHAPE_BODY_closed : body;
-    cache->boxes[mesh] = box_of_patches(from);
-    cache->mesh_count++;
-    if (!displaced_make(m->store, source->scene, source->compile, number, &cache->displaced[mesh]))
-        return set_fail(m->gl, source->scene, from->patches->material);
-    if (!cache_displace(m->gl, source, cache, mesh))
-        return false;
-    if (source->triangles)
-        cache->boxes[mesh] = cull_box(&from->shape);
-    return true;
-}
-
-static bool is_patches(const Maker *m, const SceneObject *object)
-{
-    return object->kind == SCENE_Mesh && m->source->scene->meshes[object->mesh].patches;
-}
-
-static bool make_mesh(Maker *m, const SceneObject *object)
-{
-    Shape shape;
-    if (is_patches(m, object))
-        return make_displaced(m, object->mesh);
-    if (object->kind == SCENE_Mesh)
-        return make_mesh_of(m, &m->source->scene->meshes[object->mesh].shape);
-    if (!scene_solid(object, &shape))
-        return gl_fail(m->gl, "out of memory");
-    const bool done = make_mesh_of(m, &shape);
-    shape_free(&shape);
-    return done;
-}
-
 /* The place of its mesh among the cache's, or -1. */
 static int mesh_of(Maker *m, const SceneObject *object)
 {
@@ -139,7 +78,8 @@ static int mesh_of(Maker *m, const SceneObject *object)
     const int known = find(&m->meshes, key);
     if (known >= 0)
         return known;
-    if ((is_patches(m, object) || !take_mesh(m, key)) && !make_mesh(m, object))
+    const bool patches = object->kind == SCENE_Mesh && m->source->scene->meshes[object->mesh].patches;
+    if ((patches || !take_mesh(m, key)) && !cache_mesh_make(m->store, m->source, m->cache, object))
         return -1;
     add(&m->meshes, key, m->cache->mesh_count - 1);
     return m->cache->mesh_count - 1;

@@ -104,8 +104,10 @@ bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *m
 /* Safe on an empty one, which it leaves behind. */
 void cache_delete(GlContext *gl, Cache *cache);
 
-/* Has the driver displace a mesh of that number for the view, where it does not stand so. */
-bool cache_displace(GlContext *gl, const CacheSource *source, Cache *cache, int mesh);
+/* Adds the mesh of an object. cache_mesh.c, as is what follows. */
+bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache, const SceneObject *object);
+/* Has the driver displace meshes again that go by the view. */
+bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache);
 /* The view is another. Nothing is made. cache_view.c, as is what follows. */
 bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache);
 /* So many objects from `first` on stand elsewhere. */

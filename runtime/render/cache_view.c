@@ -157,36 +157,9 @@ static void find_seen(const GlContext *gl, const CacheSource *source, Cache *cac
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-bool cache_displace(GlContext *gl, const CacheSource *source, Cache *cache, int mesh)
-{
-    Displaced *displaced = &cache->displaced[mesh];
-    SceneMesh *of = &source->scene->meshes[cache->displaced[mesh].mesh];
-    Shape shape;
-    if (!displaced_write(displaced, &source->scene->camera, source->size, &cache->meshes[mesh]))
-        return false;
-    cache->displaced_anew |= displaced->anew;
-    if (!source->triangles || !displaced->anew)
-        return true;
-    if (!displaced_read(displaced, &cache->meshes[mesh], &shape))
-        return false;
-    shape_free(&of->shape);
-    of->shape = shape;
-    return gl_check(gl, "displacing a mesh");
-}
-
-/* Those that go by the view. */
-static bool displace(GlContext *gl, const CacheSource *source, Cache *cache)
-{
-    bool fine = true;
-    for (int i = 0; fine && i < cache->mesh_count; i++)
-        if (cache->displaced[i].material.store && cache->displaced[i].patches->pixels > 0)
-            fine = cache_displace(gl, source, cache, i);
-    return fine;
-}
-
 bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache)
 {
-    if (!displace(gl, source, cache))
+    if (!cache_mesh_view(gl, source, cache))
         return false;
     const Spaces *spaces = &source->space->spaces;
     if (cache->instances) {

@@ -139,6 +139,7 @@ struct Render {
     int at[2];    /* the targets' lower left corner in it */
     int margin;   /* around a tile, that its edges look at */
     bool compute, zero_to_one;
+    bool triangles; /* something asks for those that are drawn, wherever they are made */
     Transparency transparency;
     bool parted; /* lists of shadows are drawn in parts: shadow_parts.c */
     Set set;
@@ -179,8 +180,6 @@ struct Render {
 /* Silhouettes find shadows, and light is drawn: so are facets, if the driver can. And something casts, so that the target is there. facet_lights.c */
 bool facet_lights_write(const Render *render);
 bool facet_lights_cast(const Render *render);
-/* Something asks for the triangles that are drawn, wherever they are made. */
-bool frame_wants_triangles(const Render *render);
 /* These, or numbers of triangles: there is the target seen. */
 bool facet_lights_seen(const Render *render);
 

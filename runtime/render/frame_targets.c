@@ -205,14 +205,6 @@ void frame_use(const Render *render, const Framebuffer *framebuffer)
     render->gl->Viewport(-render->at[0], -render->at[1], render->whole[0], render->whole[1]);
 }
 
-bool frame_wants_triangles(const Render *render)
-{
-    bool wants = pass_edge_needed(render) || pass_voxels_needed(render);
-    for (int i = 0; !wants && i < render->scene->light_count; i++)
-        wants = render->scene->lights[i].shadows == WORD_Shadows_exact || render->scene->lights[i].shadows == WORD_Shadows_silhouette;
-    return wants;
-}
-
 CacheSource frame_source(const Render *render)
 {
     return (CacheSource){render->scene,
@@ -222,7 +214,7 @@ CacheSource frame_source(const Render *render)
                          &render->volume,
                          render->whole,
                          &render->compile,
-                         frame_wants_triangles(render),
+                         render->triangles,
                          render->transparency,
                          exact_lights_number(render)  ? EXACT_NUMBER_numbers
                          : facet_lights_write(render) ? EXACT_NUMBER_facets

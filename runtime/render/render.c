@@ -143,10 +143,19 @@ static bool make_set(Render *render, const Scene *scene)
     return true;
 }
 
+static bool wants_triangles(const Render *render)
+{
+    bool wants = pass_edge_needed(render) || pass_voxels_needed(render);
+    for (int i = 0; !wants && i < render->scene->light_count; i++)
+        wants = render->scene->lights[i].shadows == WORD_Shadows_exact || render->scene->lights[i].shadows == WORD_Shadows_silhouette;
+    return wants;
+}
+
 /* What the driver cannot displace becomes meshes. */
 static bool settle_patches(Render *render, const Scene *scene)
 {
     const SceneMaterial *material;
+    render->triangles = wants_triangles(render);
     if (displaced_there(render->gl) || scene_displace_patches(scene))
         return true;
     const char *why = scene_displace_fault(scene, &material);
