@@ -72,7 +72,7 @@ int scene_mesh_read_parts(SceneReader *r, const Tree *tree, int *first)
         return fail(r, tree, error);
     *first = r->scene->mesh_count;
     for (int i = 0; i < count; i++)
-        add(r, (SceneMesh){path, parts[i].shape, parts[i].material});
+        add(r, (SceneMesh){.path = path, .shape = parts[i].shape, .part = parts[i].material});
     free(parts);
     return count;
 }
