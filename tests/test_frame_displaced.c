@@ -16,7 +16,7 @@ enum { EDGE = 64, PIXELS = EDGE * EDGE, VIEWS = 8, LEVEL = 6 };
     "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n"                                          \
     "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: Gradient, direction: "   \
     "[2, 3, 1], waveForm: Sin }, blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] }] } }\n"             \
-    "  pane: { material: Phong, diffuse: 0.3, emissive: 0.2, transparency: 0.5, displacementScale: 0.1,\n"                               \
+    "  pane: { material: Phong, diffuse: 0.3, emissive: 0.2, transparency: 0.5, displacementScale: 0.25,\n"                               \
     "    displacement: { map: Gradient, direction: [3, 5, 2], waveForm: Sin } }\n"                                                       \
     "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n"
 static const char *const bodies[] = {
