@@ -83,6 +83,13 @@ static void faults(void **state)
         {RED "voxels: { size: 100 }\nobjects: []\n",
          "2:17: error: 100 voxels along an edge: it is to be a power of two"},
         {RED "voxels: { size: 1024 }\nobjects: []\n", "2:17: error: size is 1024; it must be from 32 to 512"},
+        {RED "displacement: { method: bisection, level: 8 }\nobjects: []\n",
+         "2:43: error: by bisection no edge has a number of parts: `triangles` and `pixels` say how far it goes"},
+        {RED "displacement: { pixels: 2 }\nobjects: []\n",
+         "2:25: error: a mesh is divided evenly: by pixels of the picture go `method: bisection`, `auto`, `grid` and "
+         "`tessellation`"},
+        {RED "displacement: { method: grid, level: 65 }\nobjects: []\n",
+         "2:38: error: level is 65; it must be from 0 to 64"},
         {RED "lights: [{ light: Sky }]\n", "2:10: error: the scene has no sky that could shine"},
         {RED "lights: [{ light: Area, u: [1, 1, 0], v: [-2, -2, 0] }]\n", "2:42: error: u and v span nothing"},
         {RED "lights: [{ light: Area, shadows: exact }]\n",
