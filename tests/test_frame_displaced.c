@@ -8,22 +8,26 @@
 
 enum { EDGE = 64, PIXELS = EDGE * EDGE, VIEWS = 8, LEVEL = 6 };
 
-#define MATERIALS                                                                                                                        \
-    "materials:\n"                                                                                                                       \
-    "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: { param: height, default: 0.2 },\n"                      \
-    "    displacementBound: 0.3, displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"                      \
-    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1,\n"                                     \
-    "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n"                                          \
-    "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: Gradient, direction: "   \
-    "[2, 3, 1], waveForm: Sin }, blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] }] } }\n"             \
-    "  pane: { material: Phong, diffuse: 0.3, emissive: 0.2, transparency: 0.5, displacementScale: 0.25,\n"                               \
-    "    displacement: { map: Gradient, direction: [3, 5, 2], waveForm: Sin } }\n"                                                       \
+#define MATERIALS                                                                                                      \
+    "materials:\n"                                                                                                     \
+    "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: { param: height, default: 0.2 },\n"    \
+    "    displacementBound: 0.3, displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"    \
+    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1,\n"                   \
+    "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n"                    \
+    "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: "      \
+    "Gradient, direction: "                                                                                            \
+    "[2, 3, 1], waveForm: Sin }, blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] "   \
+    "}] } }\n"                                                                                                         \
+    "  pane: { material: Phong, diffuse: 0.3, emissive: 0.2, transparency: 0.5, displacementScale: 0.25,\n"            \
+    "    displacement: { map: Gradient, direction: [3, 5, 2], waveForm: Sin } }\n"                                     \
     "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n"
 static const char *const bodies[] = {
     "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }\n",
     "- { object: Sphere, radius: 0.9, material: tiles, detail: 12 }\n",
-    "- { object: Cylinder, radius: 0.6, height: 1.2, detail: 12, material: leaning, transform: { translation: [0, 0, -0.6] } }\n",
-    "- { object: Cone, radius: 0.8, height: 1.5, detail: 12, material: rock, transform: { translation: [0, 0, -0.5], rotation: [2, 0, 0], scale: [1, 1.2, 0.8] } }\n",
+    "- { object: Cylinder, radius: 0.6, height: 1.2, detail: 12, material: leaning, transform: { translation: [0, 0, "
+    "-0.6] } }\n",
+    "- { object: Cone, radius: 0.8, height: 1.5, detail: 12, material: rock, transform: { translation: [0, 0, -0.5], "
+    "rotation: [2, 0, 0], scale: [1, 1.2, 0.8] } }\n",
 };
 static const char *const methods[] = {"grid", "tessellation"};
 enum { BODIES = sizeof bodies / sizeof *bodies, METHODS = sizeof methods / sizeof *methods };
@@ -35,15 +39,19 @@ typedef struct {
 static Scene *open_scene(const Text *of, const MatcOptions *options, MatcDocument **document)
 {
     char text[4000];
-    snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n" MATERIALS
-             "displacement: { %s }\nlights:\n%s\nobjects:\n%s",
-             EDGE, EDGE, of->how, of->lights, of->objects);
+    snprintf(
+        text, sizeof text,
+        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n" MATERIALS
+        "displacement: { %s }\nlights:\n%s\nobjects:\n%s",
+        EDGE, EDGE, of->how, of->lights, of->objects);
     return frame_scene(text, options, document);
 }
 
 /* An edge is drawn with coverage: so its triangles come back. */
-static RenderOptions with_triangles(const MatcOptions *options) { return (RenderOptions){.compile = options, .view = "light", .edges = RENDER_EDGES_coverage}; }
+static RenderOptions with_triangles(const MatcOptions *options)
+{
+    return (RenderOptions){.compile = options, .view = "light", .edges = RENDER_EDGES_coverage};
+}
 
 static const Shape *shape_of(const Scene *scene) { return &scene->meshes[scene->objects[0].mesh].shape; }
 
@@ -84,7 +92,8 @@ static void points_are_those_of_the_reference(void **state)
             free(frame_floats(gl, scenes[i], &draw));
         }
         const Shape *shape = shape_of(scenes[1]);
-        assert_true(shape->base && shape->index_count > shape_of(scenes[0])->index_count / 2); /* without those at poles */
+        assert_true(shape->base &&
+                    shape->index_count > shape_of(scenes[0])->index_count / 2); /* without those at poles */
         for (int i = 0; i < shape->vertex_count; i++)
             worst = fmax(worst, nearest(shape_of(scenes[0]), shape->vertices[i].position, shape->base[i]));
         print_message("body %d: %d points, off by %.2g\n", body, shape->vertex_count, worst);
@@ -97,7 +106,8 @@ static void points_are_those_of_the_reference(void **state)
 
 static void look_from(Scene *scene, int view, double distance)
 {
-    const double z = 1 - (2 * view + 1.) / VIEWS, turn = 2.399963229728653 * view, r = sqrt(1 - z * z), way[3] = {r * cos(turn), r * sin(turn), z};
+    const double z = 1 - (2 * view + 1.) / VIEWS, turn = 2.399963229728653 * view, r = sqrt(1 - z * z),
+                 way[3] = {r * cos(turn), r * sin(turn), z};
     for (int i = 0; i < 3; i++)
         scene->camera.position[i] = distance * way[i];
     assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine);
@@ -136,7 +146,8 @@ static void no_hole_is_where_levels_meet(void **state)
 {
     (void)state;
     static const double distances[] = {1.1, 1.7, 2.2, 40};
-    static const char *const how[METHODS] = {"method: grid, pixels: 1, triangles: 100000", "method: tessellation, pixels: 1, triangles: 30000"};
+    static const char *const how[METHODS] = {"method: grid, pixels: 1, triangles: 100000",
+                                             "method: tessellation, pixels: 1, triangles: 30000"};
     const MatcOptions options = frame_exact_options();
     const RenderOptions draw = with_triangles(&options);
     bool met[7][7] = {{false}};
@@ -190,30 +201,38 @@ static float *picture(GlContext *gl, const Text *of, const MatcOptions *options)
 static void pictures_are_those_of_meshes(void **state)
 {
     (void)state;
-    static const char floor[] = "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { translation: [-4, -4, -1] } }\n";
+    static const char floor[] = "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { "
+                                "translation: [-4, -4, -1] } }\n";
     static const char *const shadows[] = {"map", "hybrid", "silhouette", "exact", "none"};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     for (int i = 0; i < 7; i++) {
         char objects[800], lights[200], how[120];
-        static const char *const finer[] = {"mesh, level: 12", "grid, level: 12", "tessellation, level: 12", "mesh, level: 11", "mesh, level: 1"};
+        static const char *const finer[] = {"mesh, level: 12", "grid, level: 12", "tessellation, level: 12",
+                                            "mesh, level: 11", "mesh, level: 1"};
         enum { PICTURES = sizeof finer / sizeof *finer };
         float *light[PICTURES];
         const bool glass = i == 4, around = i == 5, spot = i == 6;
-        snprintf(objects, sizeof objects, "%s%s", glass ? "- { object: Sphere, radius: 0.9, material: pane, detail: 12 }\n" : bodies[i % 4], floor);
+        snprintf(objects, sizeof objects, "%s%s",
+                 glass ? "- { object: Sphere, radius: 0.9, material: pane, detail: 12 }\n" : bodies[i % 4], floor);
         if (around)
-            snprintf(lights, sizeof lights, "- { light: Hemisphere, intensity: 1 }\nindirect: { method: voxels, bounces: 0, rays: 4, filter: none, jitter: false }");
+            snprintf(lights, sizeof lights,
+                     "- { light: Hemisphere, intensity: 1 }\nindirect: { method: voxels, bounces: 0, rays: 4, filter: "
+                     "none, jitter: false }");
         else
-            snprintf(lights, sizeof lights, "- { light: %s, shadows: %s, intensity: %d }", spot ? "Point, position: [2, -2, 3]" : "Directional, direction: [1, 0.6, -1]",
-                     shadows[i % 5], spot ? 12 : 1);
+            snprintf(lights, sizeof lights, "- { light: %s, shadows: %s, intensity: %d }",
+                     spot ? "Point, position: [2, -2, 3]" : "Directional, direction: [1, 0.6, -1]", shadows[i % 5],
+                     spot ? 12 : 1);
         for (int k = 0; k < PICTURES; k++) {
             snprintf(how, sizeof how, "method: %s", finer[k]);
             light[k] = picture(gl, &(Text){how, lights, objects}, &options);
         }
-        const int by_grid = differing(light[0], light[1]), by_tessellation = differing(light[0], light[2]), other = differing(light[0], light[3]),
-                  coarse = differing(light[0], light[4]);
-        print_message("%d: %d and %d of %d pixels differ; %d of a mesh of another level, %d of a coarse one\n", i, by_grid, by_tessellation, PIXELS, other, coarse);
-        assert_true(by_grid <= PIXELS / 512 + other / 4 && by_tessellation <= 16 + 2 * other && coarse > 4 * by_grid + PIXELS / 60);
+        const int by_grid = differing(light[0], light[1]), by_tessellation = differing(light[0], light[2]),
+                  other = differing(light[0], light[3]), coarse = differing(light[0], light[4]);
+        print_message("%d: %d and %d of %d pixels differ; %d of a mesh of another level, %d of a coarse one\n", i,
+                      by_grid, by_tessellation, PIXELS, other, coarse);
+        assert_true(by_grid <= PIXELS / 512 + other / 4 && by_tessellation <= 16 + 2 * other &&
+                    coarse > 4 * by_grid + PIXELS / 60);
         for (int k = 0; k < PICTURES; k++)
             free(light[k]);
     }
@@ -233,7 +252,8 @@ static void assert_same(Render *render, GlContext *gl, const Scene *scene, const
 static void changes_are_what_a_new_renderer_draws(void **state)
 {
     (void)state;
-    static const char *const shadows[] = {"- { light: Directional, direction: [1, 0.6, -1] }", "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }"};
+    static const char *const shadows[] = {"- { light: Directional, direction: [1, 0.6, -1] }",
+                                          "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }"};
     const MatcOptions options = frame_exact_options();
     const RenderOptions draw = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context();
@@ -250,7 +270,8 @@ static void changes_are_what_a_new_renderer_draws(void **state)
             assert_true(render_changed(render, RENDER_CAMERA));
             assert_same(render, gl, scene, &draw);
         }
-        assert_true(scene_displace_param(scene, scene->objects[0].material, "height", &height, 1) == SCENE_DISPLACED_anew);
+        assert_true(scene_displace_param(scene, scene->objects[0].material, "height", &height, 1) ==
+                    SCENE_DISPLACED_anew);
         assert_true(render_changed_meshes(render));
         assert_same(render, gl, scene, &draw);
         render_close(render);
@@ -264,7 +285,8 @@ static void others_get_meshes(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    const Text mesh = {"method: mesh, level: 8", "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }", bodies[0]};
+    const Text mesh = {"method: mesh, level: 8", "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }",
+                       bodies[0]};
     Text grid = mesh;
     GlContext *gl = frame_context();
     float *wanted = picture(gl, &mesh, &options);

@@ -56,7 +56,8 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
     mesh_point_attributes(gl);
     if (shape->base) {
         gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[2]);
-        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->base, shape->base, GL_STATIC_DRAW);
+        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->base, shape->base,
+                       GL_STATIC_DRAW);
         gl->VertexAttribPointer(MESH_ATTRIBUTE_basePosition, 3, GL_FLOAT, GL_FALSE, 0, NULL);
     }
     gl->BindVertexArray(0); /* before the buffers: the array would forget its indices */
@@ -92,7 +93,8 @@ bool mesh_make_captured(GlContext *gl, Mesh *made)
         if (i >= MESH_ATTRIBUTE_count && i != MESH_ATTRIBUTE_basePosition)
             continue; /* what displaces is not asked any more */
         gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(MeshCaptured), (const void *)(uintptr_t)offset);
+        gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(MeshCaptured),
+                                (const void *)(uintptr_t)offset);
     }
     gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);

@@ -13,8 +13,8 @@ enum {
     MESH_ATTRIBUTE_tangentV,
     MESH_ATTRIBUTE_count,
     MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* a whole number, one for each instance */
-    MESH_ATTRIBUTE_displacementNormal,              /* what a vertex is displaced by: as the four above, but the same for all vertices */
-    MESH_ATTRIBUTE_displacementTexcoord,            /* of one position */
+    MESH_ATTRIBUTE_displacementNormal, /* what a vertex is displaced by: as the four above, but the same for all vertices */
+    MESH_ATTRIBUTE_displacementTexcoord, /* of one position */
     MESH_ATTRIBUTE_displacementTangentU,
     MESH_ATTRIBUTE_displacementTangentV,
     MESH_ATTRIBUTE_basePosition, /* where it was, of a shape that was displaced; else its position */

@@ -10,13 +10,14 @@ typedef struct {
     const char *vertex[PROGRAM_PIECES]; /* read one after the other; NULL ends the list */
     const char *fragment[PROGRAM_PIECES];
     const char *control[PROGRAM_PIECES], *evaluation[PROGRAM_PIECES]; /* both or none: of patches of three corners */
-    const char *compute[PROGRAM_PIECES];    /* alone, where the others have none */
-    const char *const *attributes;          /* name i is bound to vertex attribute i; NULL: those of mesh.h */
+    const char *compute[PROGRAM_PIECES];                              /* alone, where the others have none */
+    const char *const *attributes; /* name i is bound to vertex attribute i; NULL: those of mesh.h */
     int attribute_count;
     const char *const *outputs; /* name i is bound to colour target i: `out` variables of GLSL 1.30 to 3.20;
                                              gl_FragData and layout(location) need none */
     int output_count;
-    const char *const *captured; /* `out` variables of the last stage before fragments, one behind the other in the buffer of transform feedback */
+    const char *const *
+        captured; /* `out` variables of the last stage before fragments, one behind the other in the buffer of transform feedback */
     int captured_count;
 } ProgramText;
 

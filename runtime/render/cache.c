@@ -15,9 +15,10 @@ typedef struct {
 /* A mesh of a file, by what is in it. */
 static Key shape_key(const Shape *shape)
 {
-    const Key parts[] = {key_of_bytes(shape->vertices, (size_t)shape->vertex_count * sizeof *shape->vertices),
-                         key_of_bytes(shape->indices, (size_t)shape->index_count * sizeof *shape->indices),
-                         key_of_bytes(shape->base, shape->base ? (size_t)shape->vertex_count * sizeof *shape->base : 0)};
+    const Key parts[] = {
+        key_of_bytes(shape->vertices, (size_t)shape->vertex_count * sizeof *shape->vertices),
+        key_of_bytes(shape->indices, (size_t)shape->index_count * sizeof *shape->indices),
+        key_of_bytes(shape->base, shape->base ? (size_t)shape->vertex_count * sizeof *shape->base : 0)};
     return key_of_bytes(parts, sizeof parts);
 }
 
@@ -293,10 +294,10 @@ static bool make_room(Maker *m)
     m->kind_of = calloc(materials, sizeof *m->kind_of);
     m->row_of = calloc(materials, sizeof *m->row_of);
     m->caster_of = calloc(materials, sizeof *m->caster_of);
-    return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->displaced && cache->places &&
-            cache->place_of && cache->surfaces && cache->planes && cache->list && cache->seen_list && cache->order &&
-            cache->cast_order && m->meshes.keys && m->kinds.keys && m->casters.keys && m->kind_of && m->row_of &&
-            m->caster_of && m->file_keys) ||
+    return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->displaced &&
+            cache->places && cache->place_of && cache->surfaces && cache->planes && cache->list && cache->seen_list &&
+            cache->order && cache->cast_order && m->meshes.keys && m->kinds.keys && m->casters.keys && m->kind_of &&
+            m->row_of && m->caster_of && m->file_keys) ||
            gl_fail(m->gl, "out of memory");
 }
 

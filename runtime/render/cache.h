@@ -60,8 +60,8 @@ typedef struct {
     GLuint *numbers; /* by program of the set: a buffer, or 0 */
     int number_count;
     Mesh *meshes;
-    CullBox *boxes; /* of the meshes */
-    Key *mesh_keys; /* of what they are made of */
+    CullBox *boxes;       /* of the meshes */
+    Key *mesh_keys;       /* of what they are made of */
     Displaced *displaced; /* by mesh: how the driver makes it; empty where it is there as it is */
     bool displaced_anew;  /* such a mesh has other triangles, since whoever reads this took it back */
     int mesh_count;
@@ -90,9 +90,9 @@ typedef struct {
     const Scene *scene;
     const Set *set;
     const ViewSpace *space;
-    const CullVolume *volume; /* what is seen; NULL: all */
-    const CullVolume *view;   /* the camera's, also where all is drawn */
-    const int *size;          /* of the picture, in pixels */
+    const CullVolume *volume;   /* what is seen; NULL: all */
+    const CullVolume *view;     /* the camera's, also where all is drawn */
+    const int *size;            /* of the picture, in pixels */
     const MatcOptions *compile; /* of programs that displace */
     bool triangles;             /* of meshes that the driver displaces are wanted in the scene, too */
     Transparency transparency;

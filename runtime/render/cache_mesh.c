@@ -65,7 +65,8 @@ bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache, cons
     const SceneMesh *mesh = object->kind == SCENE_Mesh ? &source->scene->meshes[object->mesh] : NULL;
     Shape shape;
     if (mesh)
-        return mesh->patches ? make_displaced(store, source, cache, object->mesh) : make_mesh_of(gl, cache, &mesh->shape);
+        return mesh->patches ? make_displaced(store, source, cache, object->mesh)
+                             : make_mesh_of(gl, cache, &mesh->shape);
     if (!scene_solid(object, &shape))
         return gl_fail(gl, "out of memory");
     const bool done = make_mesh_of(gl, cache, &shape);

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const char render_text_displace_point[], render_text_displace_grid[], render_text_displace_vertex[], render_text_displace_control[],
-    render_text_displace_evaluation[];
+extern const char render_text_displace_point[], render_text_displace_grid[], render_text_displace_vertex[],
+    render_text_displace_control[], render_text_displace_evaluation[];
 
 enum { ROWS_BINDING = 6, PATCHES_BINDING, DRAWN_BINDING, BLOCKS, ROW_FLOATS = 16, PATCH_WORDS = 12 };
 
@@ -17,8 +17,9 @@ static GlContext *context(const Displaced *d) { return store_context(d->material
 bool displaced_there(const GlContext *gl)
 {
     GLint vertex = 0, evaluation = 0, control = 0, bindings = 0;
-    if (gl->major * 10 + gl->minor < 45 || !gl->BindBufferBase || !gl->BindBufferRange || !gl->TransformFeedbackVaryings ||
-        !gl->BeginTransformFeedback || !gl->EndTransformFeedback || !gl->DrawArraysInstanced)
+    if (gl->major * 10 + gl->minor < 45 || !gl->BindBufferBase || !gl->BindBufferRange ||
+        !gl->TransformFeedbackVaryings || !gl->BeginTransformFeedback || !gl->EndTransformFeedback ||
+        !gl->DrawArraysInstanced)
         return false;
     gl->GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &vertex);
     gl->GetIntegerv(GL_MAX_TESS_EVALUATION_SHADER_STORAGE_BLOCKS, &evaluation);
@@ -31,7 +32,8 @@ bool displaced_there(const GlContext *gl)
 
 static bool make_material(Store *store, MatcProgram *program, Displaced *made)
 {
-    static const char version[] = "#version 450 core\n", point[] = "#define DISPLACE_POINT\n", none[] = "void main() {}\n";
+    static const char version[] = "#version 450 core\n", point[] = "#define DISPLACE_POINT\n",
+                      none[] = "void main() {}\n";
     static const char *const captured[] = {"displaced_position", "displaced_normal",   "displaced_texcoord",
                                            "displaced_tangentU", "displaced_tangentV", "displaced_base"};
     const char *displace = matc_output(program, MATC_DISPLACE, NULL);
@@ -73,8 +75,9 @@ static bool fill(GlContext *gl, GLuint buffer, const void *bytes, size_t size)
 
 static void put_row(const ShapeVertex *v, float row[ROW_FLOATS])
 {
-    const float lanes[ROW_FLOATS] = {v->position[0], v->position[1], v->position[2], v->uv[0],       v->normal[0],   v->normal[1],
-                                     v->normal[2],   v->uv[1],       v->tangentU[0], v->tangentU[1], v->tangentU[2], 0,
+    const float lanes[ROW_FLOATS] = {v->position[0], v->position[1], v->position[2], v->uv[0],
+                                     v->normal[0],   v->normal[1],   v->normal[2],   v->uv[1],
+                                     v->tangentU[0], v->tangentU[1], v->tangentU[2], 0,
                                      v->tangentV[0], v->tangentV[1], v->tangentV[2], 0};
     memcpy(row, lanes, sizeof lanes);
 }
@@ -89,9 +92,10 @@ static bool make_buffers(GlContext *gl, Displaced *made)
         put_row(&patches->rows[i], rows[i]);
     gl->GenBuffers(3, made->buffers);
     gl->GenVertexArrays(1, &made->array);
-    const bool fine = rows && made->parts ? fill(gl, made->buffers[0], rows, (size_t)patches->row_count * sizeof *rows) &&
-                                                fill(gl, made->buffers[1], patches->at, (size_t)patches->count * sizeof *patches->at)
-                                          : gl_fail(gl, "out of memory");
+    const bool fine = rows && made->parts
+                          ? fill(gl, made->buffers[0], rows, (size_t)patches->row_count * sizeof *rows) &&
+                                fill(gl, made->buffers[1], patches->at, (size_t)patches->count * sizeof *patches->at)
+                          : gl_fail(gl, "out of memory");
     free(rows);
     return fine;
 }
@@ -255,7 +259,8 @@ static void draw_patches(const Displaced *d, const int first[SCENE_PATCH_PARTS +
     enum { POINTS = 1 << 15 };
     const GlContext *gl = context(d);
     for (int n = 1, patch = 0; patch < d->patches->count; n += patch == first[n + 1]) {
-        const int most = gl->hardware ? d->patches->count : (int)(POINTS / points_of(n)) + 1, end = gl->hardware ? d->patches->count : first[n + 1];
+        const int most = gl->hardware ? d->patches->count : (int)(POINTS / points_of(n)) + 1,
+                  end = gl->hardware ? d->patches->count : first[n + 1];
         const int count = end - patch < most ? end - patch : most;
         if (count)
             gl->DrawArrays(GL_PATCHES, 3 * patch, 3 * count);
@@ -319,7 +324,8 @@ bool displaced_write(Displaced *d, const SceneCamera *camera, const int size[2],
     d->anew = !same;
     if (same)
         return true;
-    d->written = write_drawn(d, first) && (d->tessellated ? write_tessellated(d, first, mesh) : write_grids(d, first, mesh));
+    d->written =
+        write_drawn(d, first) && (d->tessellated ? write_tessellated(d, first, mesh) : write_grids(d, first, mesh));
     return d->written;
 }
 
@@ -337,7 +343,8 @@ bool displaced_read(const Displaced *d, const Mesh *mesh, Shape *made)
         gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
         gl->GetBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)((size_t)d->points * sizeof *points), points);
         gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[1]);
-        gl->GetBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)((size_t)mesh->index_count * sizeof *made->indices), made->indices);
+        gl->GetBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)((size_t)mesh->index_count * sizeof *made->indices),
+                             made->indices);
         gl->BindBuffer(GL_ARRAY_BUFFER, 0);
         fine = gl_check(gl, "reading a displaced mesh");
     }

@@ -25,10 +25,10 @@ typedef enum {
     FRAME_TARGET_lists,    /* no texture, but a buffer */
     FRAME_TARGET_far,      /* the same: what the pass gather sums */
     FRAME_TARGET_light,
-    FRAME_TARGET_rays,   /* the same, of the pixels for which rays go out */
+    FRAME_TARGET_rays,    /* the same, of the pixels for which rays go out */
     FRAME_TARGET_history, /* of its own: pass_history.c */
-    FRAME_TARGET_smooth, /* smoothed along rows */
-    FRAME_TARGET_open,   /* openness and indirect light */
+    FRAME_TARGET_smooth,  /* smoothed along rows */
+    FRAME_TARGET_open,    /* openness and indirect light */
     FRAME_TARGET_edge,
     FRAME_TARGET_mask,  /* a bit for each light with hybrid shadows: something keeps it off */
     FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
@@ -78,8 +78,8 @@ typedef struct {
 /* Of pass_gather.c, where lights are many. */
 typedef struct {
     ScreenPass groups, near, gather; /* one after the other */
-    GLuint numbers, words;     /* storage buffers of far_blocks.glsl */
-    GLuint texels, bits;       /* the same as textures, which the pass light reads */
+    GLuint numbers, words;           /* storage buffers of far_blocks.glsl */
+    GLuint texels, bits;             /* the same as textures, which the pass light reads */
 } FrameFar;
 
 /* Of the pass edge. */

@@ -133,7 +133,8 @@ static bool make_set(Render *render, const Scene *scene)
 {
     if (!set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set))
         return false;
-    const LayoutRow *layout = render->set.unpack ? set_layout(&render->set, &render->compile) : NULL; /* a sky alone has no surface */
+    const LayoutRow *layout =
+        render->set.unpack ? set_layout(&render->set, &render->compile) : NULL; /* a sky alone has no surface */
     if (!render->options.surface)
         render->surface = surface_model_of(layout, scene_models(scene));
     for (int i = 0; render->options.opaque && i < render->set.count; i++) {
@@ -147,7 +148,8 @@ static bool wants_triangles(const Render *render)
 {
     bool wants = pass_edge_needed(render) || pass_voxels_needed(render);
     for (int i = 0; !wants && i < render->scene->light_count; i++)
-        wants = render->scene->lights[i].shadows == WORD_Shadows_exact || render->scene->lights[i].shadows == WORD_Shadows_silhouette;
+        wants = render->scene->lights[i].shadows == WORD_Shadows_exact ||
+                render->scene->lights[i].shadows == WORD_Shadows_silhouette;
     return wants;
 }
 
@@ -159,7 +161,8 @@ static bool settle_patches(Render *render, const Scene *scene)
     if (displaced_there(render->gl) || scene_displace_patches(scene))
         return true;
     const char *why = scene_displace_fault(scene, &material);
-    return gl_fail(render->gl, "the material '%s': its displacement %s", matc_material_name(material->document, material->index), why);
+    return gl_fail(render->gl, "the material '%s': its displacement %s",
+                   matc_material_name(material->document, material->index), why);
 }
 
 static bool make_scene(Render *render, const Scene *scene, Cache *before)

@@ -121,7 +121,9 @@ static Key key_of_program(const ProgramText *text)
     const struct {
         const char *const *names;
         int count;
-    } lists[] = {{text->attributes, text->attribute_count}, {text->outputs, text->output_count}, {text->captured, text->captured_count}};
+    } lists[] = {{text->attributes, text->attribute_count},
+                 {text->outputs, text->output_count},
+                 {text->captured, text->captured_count}};
     enum { LIST_COUNT = sizeof lists / sizeof *lists };
     Key parts[LISTS + LIST_COUNT * LONGEST_LIST] = {{0}};
     for (int stage = 0; stage < STAGES; stage++)
@@ -141,7 +143,8 @@ static bool make_held(const Store *store, StoreItem *program)
 
 const StoreItem *store_program(Store *store, const ProgramText *text)
 {
-    if (text->attribute_count > LONGEST_LIST || text->output_count > LONGEST_LIST || text->captured_count > LONGEST_LIST) {
+    if (text->attribute_count > LONGEST_LIST || text->output_count > LONGEST_LIST ||
+        text->captured_count > LONGEST_LIST) {
         gl_fail(store->gl, "a program of more than %d attributes or outputs", LONGEST_LIST);
         return NULL;
     }

@@ -30,7 +30,7 @@ typedef struct {
 typedef struct {
     const char *path;
     Shape shape;
-    int part; /* the file's material whose triangles these are; -1: all triangles of the file */
+    int part;                     /* the file's material whose triangles these are; -1: all triangles of the file */
     struct ScenePatches *patches; /* whoever draws it displaces it: scene_patches.h. NULL: it is as it stands here */
 } SceneMesh;
 

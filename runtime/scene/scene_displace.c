@@ -133,7 +133,8 @@ static bool make_mesh(Maker *k, const SceneObject *object, const Base *base, Sce
     if (base->kind != SCENE_Mesh && !scene_solid(&before, &solid))
         return fail(k->by, object->material, "takes more memory than there is");
     scene_displace_params(scene, object->material);
-    const bool fine = scene_displaced_mesh(&how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
+    const bool fine =
+        scene_displaced_mesh(&how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
     scene_displace_params(scene, object->material);
     shape_free(&solid);
     if (made->patches)
@@ -213,7 +214,10 @@ static bool settle(Scene *scene, const Maker *k, bool fine)
 static SceneDisplaced displace_objects(Scene *scene, int material, int first, int count)
 {
     SceneDisplacer *by = scene->displacer;
-    Maker k = {.scene = scene, .by = by, .next = malloc(((size_t)scene->object_count + 1) * sizeof *k.next), .mesh_count = scene->mesh_count};
+    Maker k = {.scene = scene,
+               .by = by,
+               .next = malloc(((size_t)scene->object_count + 1) * sizeof *k.next),
+               .mesh_count = scene->mesh_count};
     bool fine = k.next != NULL || fail(by, scene->objects[first].material, "takes more memory than there is"),
          changed = false;
     for (int i = by->first; fine && i < scene->mesh_count; i++)

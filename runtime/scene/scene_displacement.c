@@ -141,7 +141,10 @@ static int parts_for(const Shape *from, double triangles)
     return parts > 1 ? (int)parts : 1;
 }
 
-static int parts_of(const SceneDisplacing *how, const Shape *from) { return how->level ? how->level : parts_for(from, how->triangles); }
+static int parts_of(const SceneDisplacing *how, const Shape *from)
+{
+    return how->level ? how->level : parts_for(from, how->triangles);
+}
 
 static bool divide_alike(Mover *mover, const Shape *from, Shape *made)
 {
@@ -169,7 +172,8 @@ static bool divide(const SceneDisplacing *how, const Shape *from, Shape *made)
 static void set_reach(const SceneMatrix *inverse, double bound, double reach[3])
 {
     for (int i = 0; i < 3; i++)
-        reach[i] = bound * sqrt(inverse->m[i] * inverse->m[i] + inverse->m[4 + i] * inverse->m[4 + i] + inverse->m[8 + i] * inverse->m[8 + i]);
+        reach[i] = bound * sqrt(inverse->m[i] * inverse->m[i] + inverse->m[4 + i] * inverse->m[4 + i] +
+                                inverse->m[8 + i] * inverse->m[8 + i]);
 }
 
 static double bound_of(const SceneDisplacing *how)
@@ -189,7 +193,8 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     enum { USUAL_TRIANGLES = 256 };
     const bool by_picture = how->pixels > 0;
     const int parts = parts_of(how, from);
-    const int across = by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES) : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
+    const int across = by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
+                                  : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
     const int most = how->level && how->level < SCENE_PATCH_PARTS ? how->level : SCENE_PATCH_PARTS;
     const double bound = bound_of(how);
     SceneMatrix inverse;
@@ -213,7 +218,10 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     return true;
 }
 
-bool scene_displaced_by_driver(Word method) { return method != WORD_Displacing_mesh && method != WORD_Displacing_bisection; }
+bool scene_displaced_by_driver(Word method)
+{
+    return method != WORD_Displacing_mesh && method != WORD_Displacing_bisection;
+}
 
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made)
 {

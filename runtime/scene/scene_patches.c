@@ -27,7 +27,10 @@ typedef struct {
     HashIndex index;
 } Maker;
 
-static bool differ(const ShapeVertex *a, const ShapeVertex *b) { return memcmp(a->normal, b->normal, sizeof a->normal) != 0; }
+static bool differ(const ShapeVertex *a, const ShapeVertex *b)
+{
+    return memcmp(a->normal, b->normal, sizeof a->normal) != 0;
+}
 
 static void add_normal(const ShapeVertex *from, ShapeVertex *to)
 {
@@ -176,7 +179,8 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen, cons
     const double *m = patches->world_from_local.m;
     double world[2][3], middle[3], way[3];
     for (int i = 0; i < 6; i++)
-        world[i / 3][i % 3] = m[i % 3] * (double)ends[i / 3][0] + m[4 + i % 3] * (double)ends[i / 3][1] + m[8 + i % 3] * (double)ends[i / 3][2] + m[12 + i % 3];
+        world[i / 3][i % 3] = m[i % 3] * (double)ends[i / 3][0] + m[4 + i % 3] * (double)ends[i / 3][1] +
+                              m[8 + i % 3] * (double)ends[i / 3][2] + m[12 + i % 3];
     for (int i = 0; i < 3; i++) {
         middle[i] = (world[0][i] + world[1][i]) / 2;
         way[i] = world[1][i] - world[0][i];
@@ -212,7 +216,8 @@ static void bound_parts(const ScenePatches *patches, uint8_t (*parts)[3])
         parts[i / 3][i % 3] = (uint8_t)(parts[i / 3][i % 3] < most ? parts[i / 3][i % 3] : most);
 }
 
-void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2], uint8_t (*parts)[3])
+void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2],
+                          uint8_t (*parts)[3])
 {
     SceneSeen seen = {.count = 1, .shorter = size[0] < size[1] ? size[0] : size[1]};
     for (int i = 0; i < 2; i++)
@@ -221,7 +226,8 @@ void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera
     for (int t = 0; t < patches->count; t++)
         for (int k = 0; k < 3; k++) {
             const uint32_t *own = patches->at[t].own;
-            const float *const ends[2] = {patches->rows[own[(k + 1) % 3]].position, patches->rows[own[(k + 2) % 3]].position};
+            const float *const ends[2] = {patches->rows[own[(k + 1) % 3]].position,
+                                          patches->rows[own[(k + 2) % 3]].position};
             parts[t][k] = patches->pixels > 0 ? parts_of(patches, &seen, ends) : (uint8_t)patches->level;
         }
     if (patches->pixels > 0)

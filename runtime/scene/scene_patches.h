@@ -36,5 +36,6 @@ void scene_mesh_free(SceneMesh *mesh);
 /* Into how many parts edges 0 to 2 of each patch are divided as `camera` sees them, in a picture of `size` pixels, Triangles that share an
  * edge have the same number for it: it goes by the edge's ends. It is a power of two, so that points of a coarser division are among those of a finer. Triangles are
  * at most as many as the patches say, as long as these are not more themselves. */
-void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2], uint8_t (*parts)[3]);
+void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2],
+                          uint8_t (*parts)[3]);
 #endif
