@@ -82,6 +82,16 @@ static void put_row(const ShapeVertex *v, float row[ROW_FLOATS])
     memcpy(row, lanes, sizeof lanes);
 }
 
+static void make_framebuffer(const GlContext *gl, Displaced *made)
+{
+    gl->GenTextures(1, &made->pixel);
+    gl->BindTexture(GL_TEXTURE_2D, made->pixel);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, 1, 1, 0, GL_RED, GL_UNSIGNED_BYTE, NULL);
+    gl->GenFramebuffers(1, &made->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, made->framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made->pixel, 0);
+}
+
 static bool make_buffers(GlContext *gl, Displaced *made)
 {
     const ScenePatches *patches = made->patches;
@@ -92,6 +102,7 @@ static bool make_buffers(GlContext *gl, Displaced *made)
         put_row(&patches->rows[i], rows[i]);
     gl->GenBuffers(3, made->buffers);
     gl->GenVertexArrays(1, &made->array);
+    make_framebuffer(gl, made);
     const bool fine = rows && made->parts
                           ? fill(gl, made->buffers[0], rows, (size_t)patches->row_count * sizeof *rows) &&
                                 fill(gl, made->buffers[1], patches->at, (size_t)patches->count * sizeof *patches->at)
@@ -132,6 +143,8 @@ void displaced_delete(Displaced *d)
         GlContext *gl = context(d);
         gl->DeleteBuffers(3, d->buffers); /* GL ignores the name 0 */
         gl->DeleteVertexArrays(1, &d->array);
+        gl->DeleteFramebuffers(1, &d->framebuffer);
+        gl->DeleteTextures(1, &d->pixel);
         material_delete(&d->material);
     }
     free(d->parts);
@@ -208,6 +221,7 @@ static void begin(Displaced *d)
     const GlContext *gl = context(d);
     for (GLuint i = 0; i < 3; i++)
         gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, ROWS_BINDING + i, d->buffers[i]);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, d->framebuffer);
     gl->BindVertexArray(d->array);
     gl->Enable(GL_RASTERIZER_DISCARD);
 }

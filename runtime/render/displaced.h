@@ -9,13 +9,14 @@
 typedef struct {
     const ScenePatches *patches; /* the scene's, of that mesh */
     int mesh;
-    Material material;   /* writes displaced points */
-    bool tessellated;    /* or by grids */
-    bool written, anew;  /* the last call of displaced_write had to */
-    uint8_t (*parts)[3]; /* that were written: of each patch's edges, as scene_patches_levels has them */
-    GLuint buffers[3];   /* rows, patches, and which are drawn: displace_point.glsl */
-    GLuint array;        /* of no attributes */
-    int points;          /* that were written */
+    Material material;         /* writes displaced points */
+    bool tessellated;          /* or by grids */
+    bool written, anew;        /* the last call of displaced_write had to */
+    uint8_t (*parts)[3];       /* that were written: of each patch's edges, as scene_patches_levels has them */
+    GLuint buffers[3];         /* rows, patches, and which are drawn: displace_point.glsl */
+    GLuint array;              /* of no attributes */
+    GLuint framebuffer, pixel; /* a draw wants one, though it gets nothing, and a context may have none of its own */
+    int points;                /* that were written */
 } Displaced;
 
 /* The driver can: OpenGL 4.5, with buffers that its stages read. */
