@@ -299,6 +299,21 @@ static void others_get_meshes(void **state)
     gl_close(gl);
 }
 
+/* One of EGL has none of its own, and a draw wants one though it writes to buffers alone. */
+static void a_context_may_lack_a_framebuffer(void **state)
+{
+    (void)state;
+    static const char *const methods[] = {"method: grid, level: 6", "method: tessellation, level: 6"};
+    const MatcOptions options = frame_exact_options();
+    char error[512];
+    GlContext *gl = gl_open(GL_KIND_egl, true, error, sizeof error);
+    if (!gl)
+        skip();
+    for (int i = 0; i < 2; i++)
+        free(picture(gl, &(Text){methods[i], "- { light: Directional }", bodies[0]}, &options));
+    gl_close(gl);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -307,6 +322,7 @@ int main(void)
         cmocka_unit_test(pictures_are_those_of_meshes),
         cmocka_unit_test(changes_are_what_a_new_renderer_draws),
         cmocka_unit_test(others_get_meshes),
+        cmocka_unit_test(a_context_may_lack_a_framebuffer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -238,8 +238,10 @@ static Ref side_as_principled(Lower *l, const Node *m, Slot slot, const Env *env
 {
     if (lower_is_principled(l, m))
         return side_slot(l, m, slot, env);
-    const Ref own = side_slot(l, m, slot, env), specular = side_slot(l, m, SLOT_specular, env);
-    const PhongSlots phong = {own, build_convert(l->ir, specular, TYPE_vec3), side_slot(l, m, SLOT_shininess, env)};
+    const Ref own = side_slot(l, m, slot, env);
+    const Ref specular = build_convert(l->ir, side_slot(l, m, SLOT_specular, env), TYPE_vec3);
+    const Ref shininess = side_slot(l, m, SLOT_shininess, env);
+    const PhongSlots phong = {own, specular, shininess};
     return lower_principled_of_phong(l, slot, &phong);
 }
 

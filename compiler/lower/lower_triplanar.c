@@ -72,7 +72,8 @@ Answer lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
         type = i ? answer_common_type(type, ir_type(ir, side[i].value)) : ir_type(ir, side[i].value);
     }
     for (int i = 0; i < AXES; i++) {
-        const Answer part = answer_scaled(l, answer_widened(l, side[i], type), build_swizzle(ir, weight, lane[i]));
+        const Ref share = build_swizzle(ir, weight, lane[i]);
+        const Answer part = answer_scaled(l, answer_widened(l, side[i], type), share);
         sum = i ? answer_sum(l, sum, part) : part;
     }
     return answer_as_group(l, answer_of(sum.value), group);

@@ -122,8 +122,7 @@ bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile
     options.moved = options.instances = options.validate = false;
     *made = (Displaced){.patches = patches,
                         .mesh = mesh,
-                        .tessellated = patches->method == WORD_Displacing_tessellation ||
-                                       (patches->method == WORD_Displacing_auto && gl->hardware)};
+                        .tessellated = patches->method == WORD_Displacing_tessellation};
     scene_displace_params(scene, patches->material);
     MatcProgram *program = matc_compile(of->document, of->index, MATC_FRAGMENT | MATC_DISPLACE, &options);
     scene_displace_params(scene, patches->material);

@@ -233,6 +233,10 @@ bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMe
 
 int64_t scene_displaced_triangles(const SceneMesh *mesh)
 {
-    const int64_t parts = mesh->patches ? mesh->patches->level : 1;
-    return (mesh->patches ? mesh->patches->count : mesh->shape.index_count / 3) * parts * parts;
+    const ScenePatches *patches = mesh->patches;
+    if (!patches)
+        return mesh->shape.index_count / 3;
+    const int64_t all = (int64_t)patches->count * patches->level * patches->level;
+    const int64_t most = patches->triangles > patches->count ? patches->triangles : patches->count;
+    return patches->pixels > 0 && all > most ? most : all;
 }
