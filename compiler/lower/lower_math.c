@@ -164,7 +164,7 @@ Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
 /* lower_term looks at all arguments that a term may have. */
 static Ref term_of(Lower *l, Term term, Ref x) { return lower_term(l, term, (const Ref[TERM_MOST_ARGUMENTS]){x}); }
 
-/* Three lanes, or four of which the last is to be the colour's. */
+/* The colour, turned; a fourth lane, if there is one, is left for the colour's own alpha. */
 static Ref turned(Lower *l, Ref x, const Ref *by)
 {
     Ir *ir = l->ir;

@@ -37,7 +37,7 @@ typedef struct SceneBisection {
     void *user;
 } SceneBisection;
 
-/* Begins with the shape's triangles as they are, but those of which two corners stand in one place. The shape is kept. False: memory ran out; *made is empty. */
+/* The first triangles are the shape's; those with two corners in one place are left out. The shape is kept. False: memory ran out; *made is empty. */
 bool scene_bisection_begin(const Shape *shape, SceneBisection *made);
 /* Divides a triangle, and what else has to be so that the whole conforms. False: memory ran out; what there is conforms, and is to be ended. */
 bool scene_bisection_split(SceneBisection *b, uint32_t triangle);
