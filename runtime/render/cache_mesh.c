@@ -78,7 +78,7 @@ bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache)
 {
     bool fine = true;
     for (int i = 0; fine && i < cache->mesh_count; i++)
-        if (cache->displaced[i].material.store && cache->displaced[i].patches->pixels > 0)
+        if (displaced_by_view(&cache->displaced[i]))
             fine = displace(gl, source, cache, i);
     return fine;
 }

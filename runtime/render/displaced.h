@@ -6,25 +6,30 @@
 #include "runtime/render/material.h"
 #include "runtime/scene/scene_patches.h"
 
+enum { DISPLACED_BUFFERS = 3 };
+
 typedef struct {
     const ScenePatches *patches; /* the scene's, of that mesh */
     int mesh;
-    Material material;         /* writes displaced points */
-    bool tessellated;          /* or by grids */
-    bool written, anew;        /* the last call of displaced_write had to */
-    uint8_t (*parts)[3];       /* that were written: of each patch's edges, as scene_patches_levels has them */
-    GLuint buffers[3];         /* rows, patches, and which are drawn: displace_point.glsl */
-    GLuint array;              /* of no attributes */
+    const struct DisplacedMethod *method;
+    void *own;                         /* what the method keeps */
+    Material material;                 /* writes displaced points */
+    bool written, anew;                /* the last call of displaced_write had to */
+    uint8_t (*parts)[3];               /* that were written: of each patch's edges, as scene_patches_levels has them */
+    GLuint buffers[DISPLACED_BUFFERS]; /* rows, patches, and which are drawn: displace_point.glsl */
+    GLuint array;                      /* of no attributes */
     GLuint framebuffer, pixel; /* a draw wants one, though it gets nothing, and a context may have none of its own */
     int points;                /* that were written */
 } Displaced;
 
 /* The driver can: OpenGL 4.5, with buffers that its stages read. */
-bool displaced_there(const GlContext *gl);
+bool displaced_there(const GlContext *gl, Word method);
 /* Makes programs and buffers of a mesh of the scene that has patches; of the mesh nothing yet but its arrays. False: see the context's error; *made is empty. */
 bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile, int mesh, Displaced *made);
 /* Writes the triangles for that camera, where they are not those that are there. False: see the context's error. */
 bool displaced_write(Displaced *displaced, const SceneCamera *camera, const int size[2], Mesh *mesh);
+/* It is there, and its triangles go by the camera. */
+bool displaced_by_view(const Displaced *displaced);
 /* The triangles that were written last. False: see the context's error; *made is empty. */
 bool displaced_read(const Displaced *displaced, const Mesh *mesh, Shape *made);
 /* Safe on an empty one, which it leaves behind. */

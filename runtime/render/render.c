@@ -158,7 +158,7 @@ static bool settle_patches(Render *render, const Scene *scene)
 {
     const SceneMaterial *material;
     render->triangles = wants_triangles(render);
-    if (displaced_there(render->gl) || scene_displace_patches(scene))
+    if (!scene->displaced || displaced_there(render->gl, scene->displaced_by) || scene_displace_patches(scene))
         return true;
     const char *why = scene_displace_fault(scene, &material);
     return gl_fail(render->gl, "the material '%s': its displacement %s",

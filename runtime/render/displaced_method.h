@@ -1,0 +1,57 @@
+/* How a method makes triangles of patches, and what methods share. A method is a file with a row of this type, which stands in the table of displaced.c. */
+#ifndef MATC_RENDER_DISPLACED_METHOD_H
+#define MATC_RENDER_DISPLACED_METHOD_H
+#include "runtime/render/displaced.h"
+
+enum { DISPLACED_BINDINGS = 9 /* of buffers, up to those of displace_point.glsl */ };
+
+/* What a method's programs are made of. */
+typedef struct {
+    Store *store;
+    const Scene *scene;
+    const ScenePatches *patches;
+    MatcProgram *program; /* the material's */
+    const char *displace; /* its matc_displaced() */
+} DisplacedMaking;
+
+/* By whom triangles are seen. */
+typedef struct {
+    const SceneCamera *camera;
+    int size[2]; /* pixels of the picture */
+} DisplacedView;
+
+typedef struct DisplacedMethod {
+    Word word;    /* of the list Displacing */
+    bool by_view; /* triangles go by the camera, whatever the key `pixels` says */
+    /* The driver can, beyond what displaced_there asks for all. NULL: always. */
+    bool (*there)(const GlContext *gl);
+    /* Makes `material`, and what else the method keeps, in `own`. False: see the context's error; `forget` is called where there is a material. */
+    bool (*make)(const DisplacedMaking *making, Displaced *made);
+    /* Writes the mesh, where it does not stand so for this view, and says in `anew` whether it had to. False: see the context's error. */
+    bool (*write)(Displaced *displaced, const DisplacedView *view, Mesh *mesh);
+    /* Deletes `own`. NULL: there is none. */
+    void (*forget)(Displaced *displaced);
+} DisplacedMethod;
+
+extern const DisplacedMethod displaced_grid, displaced_tessellation;
+extern const char displaced_version[]; /* the first line of each stage */
+
+GlContext *displaced_context(const Displaced *displaced);
+/* Makes a program of stages that set the captured variables of displace_point.glsl: what stands behind them, and their uniforms. */
+bool displaced_program(const DisplacedMaking *making, ProgramText *text, Material *made);
+/* Rows and patches become buffers, beside an empty one, an array and a framebuffer. */
+bool displaced_buffers(GlContext *gl, Displaced *made);
+bool displaced_fill(GlContext *gl, GLuint buffer, const void *bytes, size_t size);
+/* New memory for a buffer of the mesh, 0 its rows, 1 its indices: what is still drawn keeps the old one. */
+void displaced_reserve(const Displaced *displaced, const Mesh *mesh, int buffer, size_t bytes);
+/* The mesh has these indices. NULL: memory ran out. */
+bool displaced_indices(Displaced *displaced, Mesh *mesh, const uint32_t *indices, size_t count);
+/* Its rows are triangles, one behind the other. */
+bool displaced_unshared(Displaced *displaced, Mesh *mesh, int triangles);
+/* Around draws whose points are captured, and nothing else. */
+void displaced_begin(const Displaced *displaced);
+bool displaced_end(const Displaced *displaced);
+/* `parts` for the view; if they are not as they were, `anew`, and the third buffer has what displace_point.glsl draws: patches by the parts of their insides, `first` of each number of
+ * parts, and behind the last. */
+bool displaced_parts(Displaced *displaced, const DisplacedView *view, int first[SCENE_PATCH_PARTS + 2]);
+#endif
