@@ -97,6 +97,7 @@ static void methods_against_rays(void **state)
         const char *keys;
         double open, light; /* at most */
     } methods[] = {{"method: march, rays: 32, steps: 32", 0.09, 0.5},
+                   {"method: march, march: voxels, rays: 32, steps: 32", 0.0095, 0.2},
                    {"method: screen, rays: 32, steps: 16", 0.075, 0.55},
                    {"method: voxels", 0.0145, 0.05},
                    {"method: hybrid", 0.0125, 0.05},

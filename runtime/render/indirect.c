@@ -26,7 +26,7 @@ bool indirect_shows(const Render *render, const char *view)
 /* Cached radiance has further bounces in it. */
 bool indirect_is_repeated(const Render *render)
 {
-    return indirect_is(render) && !indirect_reads_voxels(render) && render->scene->indirect.bounces > 1 &&
+    return indirect_is(render) && !indirect_reads_radiance(render) && render->scene->indirect.bounces > 1 &&
            !indirect_shows(render, "visibility");
 }
 
@@ -38,10 +38,17 @@ bool indirect_is_smoothed(const Render *render)
            (in->coarse > 1 || indirect_is_repeated(render) || filtered || indirect_keeps(render));
 }
 
-bool indirect_reads_voxels(const Render *render)
+bool indirect_reads_radiance(const Render *render)
 {
     return indirect_is(render) &&
            (indirect_method(render) == WORD_Indirect_voxels || indirect_method(render) == WORD_Indirect_hybrid);
+}
+
+bool indirect_reads_voxels(const Render *render)
+{
+    const Word method = indirect_is(render) ? indirect_method(render) : WORD_Indirect_none;
+    const bool stepped = method == WORD_Indirect_march || method == WORD_Indirect_points;
+    return indirect_reads_radiance(render) || (stepped && render->scene->indirect.march == WORD_March_voxels);
 }
 
 int indirect_coarse(const Render *render)

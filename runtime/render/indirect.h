@@ -46,8 +46,9 @@ const char *indirect_lacks_view(const Render *render);
 bool indirect_is_repeated(const Render *render);
 /* What rays find is not at once what the target open gets: it is smoothed, or not of all pixels, or of several bounces. */
 bool indirect_is_smoothed(const Render *render);
-/* Rays go through voxels. */
+/* What rays meet is looked for in voxels; and sends cached radiance, not what the picture shows of it. */
 bool indirect_reads_voxels(const Render *render);
+bool indirect_reads_radiance(const Render *render);
 /* Of a pixel for which rays go out, in those of the picture. */
 int indirect_coarse(const Render *render);
 /* To how many pixels on each side what rays find is smoothed, at most; 0: it is not. */

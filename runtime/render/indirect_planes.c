@@ -6,7 +6,7 @@
 int indirect_planes_count(const Render *render)
 {
     const int count = render->cache.opaque_plane_count;
-    return !indirect_reads_voxels(render) ? 0 : count < INDIRECT_PLANES_MOST ? count : INDIRECT_PLANES_MOST;
+    return !indirect_reads_radiance(render) ? 0 : count < INDIRECT_PLANES_MOST ? count : INDIRECT_PLANES_MOST;
 }
 
 void indirect_planes_define(const Render *render, char text[INDIRECT_PLANES_DEFINITION])

@@ -5,7 +5,7 @@
 //     a wall at half the radius: (1/2)^2 (5/2) / 4 = 0.156 of the places are behind it, where rays that are as even meet it in 1/4 of their directions
 vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, out vec3 open)
 {
-    vec3 u, v, from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
+    vec3 u, v, from = point + indirectLift(point, normal) * normal;
     float kept = 0.0;
     open = vec3(0.0);
     indirectBasis(normal, u, v);
@@ -13,13 +13,17 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, o
         vec3 local = indirectDirection(indirectSample(i, shift)), way = local.x * u + local.y * v + local.z * normal;
         float s = pow(fract(indirect_samples[i].z + shift.at.z + shift.more.z), 1.0 / 3.0);
         vec3 place = from + s * indirect_reach.x * way;
-        vec2 at = indirectPlace(place);
         open += way;
+#ifdef INDIRECT_VOXELS
+        if (!voxelAt(voxelPlace(place))) continue;
+#else
+        vec2 at = indirectPlace(place);
         if ((!indirectIsOrthographic() && -place.z <= indirect_view.x) || any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, indirect_picture.xy))) continue;
         float depth = texelFetch(indirect_depth, ivec2(at), 0).x;
         if (depth <= 0.0 || !indirectIsBehind(place, depth)) continue;
 #ifdef INDIRECT_CHECKED
         if (distance(indirectPoint(ivec2(at), depth), from) > indirect_reach.x) continue;
+#endif
 #endif
         open -= way;
         kept += indirectWeight(s);

@@ -16,10 +16,9 @@ vec4 passPixel(ivec2 pixel)
     bool seen = dot(own, way) > 0.0 && dot(normal, way) < 0.0;
     if (seen) {
         IndirectHit hit = indirectMeet(from, own, way, 0.0);
-#ifdef INDIRECT_VOXELS
         float step_ = 0.5 * indirect_models.x;
-#else
-        float step_ = radius / float(INDIRECT_STEPS);
+#ifndef INDIRECT_LEVELS
+        step_ = max(step_, radius / float(INDIRECT_STEPS));
 #endif
         seen = hit.t < 0.0 || hit.t * radius > far - step_ / max(-dot(normal, way), 0.2);
     }

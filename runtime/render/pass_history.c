@@ -87,7 +87,7 @@ static double reach_of(const Render *render)
 
 static unsigned doubts_of(const Render *render)
 {
-    const bool shown = !indirect_reads_voxels(render); /* what the picture shows is another from each place */
+    const bool shown = !indirect_reads_radiance(render); /* what the picture shows is another from each place */
     return render->indirect.history.doubts | (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
 }
 

@@ -4,8 +4,8 @@
 
 extern const char render_text_indirect_place[], render_text_indirect_march[], render_text_indirect_near[],
     render_text_indirect_mask[], render_text_indirect_points[], render_text_indirect_rays[],
-    render_text_indirect_seen[], render_text_indirect_basis[], render_text_pass_rays[], render_text_voxel_map[],
-    render_text_voxel_ray[], render_text_radiance[], render_text_indirect_planes[];
+    render_text_indirect_seen[], render_text_indirect_basis[], render_text_indirect_lift[], render_text_pass_rays[],
+    render_text_voxel_map[], render_text_voxel_march[], render_text_voxel_ray[], render_text_radiance[], render_text_indirect_planes[];
 
 enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT, BEFORE_UNIT, RADIANCE_UNIT };
 
@@ -30,7 +30,8 @@ static bool make(Render *render, bool again, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS], planes[INDIRECT_PLANES_DEFINITION];
     const bool kept = radiance_needed(render);
-    const bool voxels = indirect_reads_voxels(render), seen = indirect_shows(render, "visibility"),
+    const bool voxels = indirect_reads_voxels(render), levels = indirect_reads_radiance(render),
+               seen = indirect_shows(render, "visibility"),
                points = !seen && indirect_method(render) == WORD_Indirect_points,
                mask = !seen && indirect_method(render) == WORD_Indirect_screen;
     indirect_define(render, defined);
@@ -46,18 +47,23 @@ static bool make(Render *render, bool again, ScreenPass *pass)
                                           surface_model_more(of, 4),
                                           defined,
                                           again ? "#define INDIRECT_AGAIN\n" : "",
-                                          voxels ? "#define INDIRECT_VOXELS\n" : "",
+                                          levels   ? "#define INDIRECT_VOXELS\n#define INDIRECT_LEVELS\n"
+                                          : voxels ? "#define INDIRECT_VOXELS\n"
+                                                   : "",
                                           render_text_indirect_place,
                                           render_text_indirect_basis,
                                           voxels ? render_text_voxel_map : "",
-                                          voxels ? render_text_voxel_ray : "",
+                                          levels   ? render_text_voxel_ray
+                                          : voxels ? render_text_voxel_march
+                                                   : "",
+                                          render_text_indirect_lift,
                                           kept ? cached : "",
                                           kept ? render_text_radiance : "",
                                           planes,
                                           *planes ? render_text_indirect_planes : "",
                                           mask     ? render_text_indirect_mask
                                           : points ? render_text_indirect_points
-                                          : voxels ? render_text_indirect_near
+                                          : levels ? render_text_indirect_near
                                                    : render_text_indirect_march,
                                           mask || points ? "" : render_text_indirect_rays,
                                           seen ? render_text_indirect_seen : render_text_pass_rays},

@@ -12,7 +12,7 @@ enum { FLOATS = 4, BOUNCED_TEXELS = 4, ONCE_TEXELS = 2 };
 
 bool radiance_needed(const Render *render)
 {
-    return indirect_reads_voxels(render) && render->scene->indirect.bounces > 0 && !indirect_shows(render, "bent") &&
+    return indirect_reads_radiance(render) && render->scene->indirect.bounces > 0 && !indirect_shows(render, "bent") &&
            !indirect_shows(render, "open") && !indirect_shows(render, "visibility");
 }
 
