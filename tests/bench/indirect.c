@@ -1,5 +1,6 @@
-/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is: indirect_path.c. */
+/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is: indirect_path.c; the thesis' tables: indirect_table.c. */
 #include "indirect_path.h"
+#include "indirect_table.h"
 #include "matbench.h"
 #include "tests/frame/voxel_points.h"
 #include <math.h>
@@ -16,6 +17,8 @@ typedef struct {
     bool timed;
     const char *mesh, *lift; /* a file, y up, and how far it is above the ground */
     int size;                /* of the grid */
+    int edge;                /* of the table's pictures */
+    const char *meshes;      /* a folder, or NULL */
     unsigned tables;
 } Arguments;
 
@@ -253,13 +256,18 @@ static bool measure_path(GlContext *gl, const Arguments *a)
     return bench_indirect_path(gl);
 }
 
+static bool measure_table(GlContext *gl, const Arguments *a)
+{
+    return bench_indirect_table(gl, &(IndirectTable){a->meshes, a->edge, a->timed});
+}
+
 /* -- the command */
 
 static const struct {
     const char *name;
     bool (*measure)(GlContext *, const Arguments *);
-} tables[] = {{"maps", measure_maps}, {"rays", measure_rays}, {"path", measure_path}};
-enum { TABLES = sizeof tables / sizeof *tables };
+} tables[] = {{"maps", measure_maps}, {"rays", measure_rays}, {"path", measure_path}, {"table", measure_table}};
+enum { TABLES = sizeof tables / sizeof *tables, LONG = 3 }; /* what takes minutes is measured only by its name */
 
 static bool read_argument(const char *text, Arguments *a)
 {
@@ -272,6 +280,10 @@ static bool read_argument(const char *text, Arguments *a)
         return a->mesh = text + 7, true;
     if (!strncmp(text, "--lift=", 7))
         return a->lift = text + 7, true;
+    if (!strncmp(text, "--meshes=", 9))
+        return a->meshes = text + 9, true;
+    if (!strncmp(text, "--size=", 7))
+        return a->edge = atoi(text + 7), a->edge >= 16 && a->edge <= 4096;
     if (!strncmp(text, "--voxels=", 9))
         return a->size = atoi(text + 9), a->size >= 32 && a->size <= 512;
     if (!strcmp(text, "--untimed"))
@@ -282,11 +294,11 @@ static bool read_argument(const char *text, Arguments *a)
 int bench_indirect(int argc, char **argv)
 {
     char error[4096];
-    Arguments a = {.kind = GL_KIND_osmesa, .timed = true, .size = 128, .lift = "0"};
+    Arguments a = {.kind = GL_KIND_osmesa, .timed = true, .size = 128, .edge = 512, .lift = "0"};
     for (int i = 1; i < argc; i++)
         if (!read_argument(argv[i], &a)) {
             fputs("usage: matbench indirect [--untimed] [--gl=osmesa|egl] [--mesh=FILE] [--lift=HEIGHT] [--voxels=N] "
-                  "[maps] [rays] [path]\n",
+                  "[--meshes=FOLDER] [--size=PIXELS] [maps] [rays] [path] [table]\n",
                   stderr);
             return 2;
         }
@@ -295,7 +307,7 @@ int bench_indirect(int argc, char **argv)
     if (fine && a.timed)
         printf("%s\n", gl->renderer);
     for (int i = 0; fine && i < TABLES; i++)
-        fine = (a.tables && !(a.tables >> i & 1)) || tables[i].measure(gl, &a);
+        fine = !((a.tables ? a.tables : (1u << LONG) - 1) >> i & 1) || tables[i].measure(gl, &a);
     gl_close(gl);
     return !fine;
 }

@@ -49,7 +49,7 @@ int bench_render(int argc, char **argv);
 int bench_shadows(int argc, char **argv);
 /* The rows of grammar/cells.def, measured. */
 int bench_cells(int argc, char **argv);
-/* Voxels and rays through them: --untimed --gl=KIND --mesh=FILE --lift=HEIGHT --voxels=N, names of tables. */
+/* Voxels and rays through them, and the thesis' tables: --untimed --gl=KIND --mesh=FILE --lift=HEIGHT --voxels=N --meshes=FOLDER --size=PIXELS, names of tables. */
 int bench_indirect(int argc, char **argv);
 /* Displaced triangles: --untimed --gl=KIND --map=FILE --triangles=N, names of tables. */
 int bench_displacement(int argc, char **argv);

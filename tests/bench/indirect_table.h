@@ -1,0 +1,13 @@
+/* Of matbench indirect: the thesis' tables. */
+#ifndef MATC_BENCH_INDIRECT_TABLE_H
+#define MATC_BENCH_INDIRECT_TABLE_H
+#include "runtime/render/render.h"
+
+typedef struct {
+    const char *meshes; /* a folder with bunny.obj and dragon-small.ply; NULL: where tests/meshes/fetch.sh puts them */
+    int edge;           /* of the picture, in pixels */
+    bool timed;
+} IndirectTable;
+
+bool bench_indirect_table(GlContext *gl, const IndirectTable *table);
+#endif
