@@ -70,6 +70,9 @@ check "and are in docs" test -s docs/shadows.png
 [ -z "$update" ] || "$matview" docs/indirect.yaml --compare=indirect -o docs/indirect.png
 check "indirect light by all methods is drawn" "$matview" docs/indirect.yaml --compare=indirect -o "$work/indirect.png"
 check "and is in docs" test -s docs/indirect.png
+[ -z "$update" ] || "$matview" docs/indirect.yaml --view=positions -o docs/positions.png
+check "what its picture knows is drawn" "$matview" docs/indirect.yaml --view=positions -o "$work/positions.png"
+check "and is in docs" test -s docs/positions.png
 for view in volume:volume volumeWireframeAlone:volume-lines; do
     drawn=${view#*:}.png
     [ -z "$update" ] || "$matview" docs/volume.yaml --view="${view%:*}" -o "docs/$drawn"

@@ -225,8 +225,8 @@ static void views_need_less(void **state)
         render_close(render);
     }
     assert_null(render_open(gl, &(RenderOptions){.compile = &options, .view = "deep"}));
-    assert_string_equal(gl->error, "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, voxels, "
-                                   "open, indirect, bent, visibility, or a slot");
+    assert_string_equal(gl->error, "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, "
+                                   "positions, voxels, open, indirect, bent, visibility, or a slot");
     gl_close(gl);
     frame_forget(scene, document);
 }

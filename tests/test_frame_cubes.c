@@ -71,10 +71,10 @@ static void levels_there_are(void **state)
         const char *view, *said;
     } cases[] = {{"voxels5", NULL},
                  {"voxels6", "there is no view 'voxels6': of 32 voxels the last is voxels5"},
-                 {"voxels12", "there is no view 'voxels12': shown, wireframe, volume, light, depth, shadow, voxels, "
-                              "open, indirect, bent, visibility, or a slot"},
-                 {"voxelsx", "there is no view 'voxelsx': shown, wireframe, volume, light, depth, shadow, voxels, "
-                             "open, indirect, bent, visibility, or a slot"}};
+                 {"voxels12", "there is no view 'voxels12': shown, wireframe, volume, light, depth, shadow, positions, "
+                              "voxels, open, indirect, bent, visibility, or a slot"},
+                 {"voxelsx", "there is no view 'voxelsx': shown, wireframe, volume, light, depth, shadow, positions, "
+                             "voxels, open, indirect, bent, visibility, or a slot"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Render *render = render_open(d.gl, &(RenderOptions){.compile = &options, .view = cases[i].view});
         const bool fine = render && render_scene(render, d.scene);

@@ -9,6 +9,7 @@
 #define FAR      (1u << FRAME_TARGET_far)
 #define VOXELS   (1u << FRAME_TARGET_voxels)
 #define CUBES    (1u << FRAME_TARGET_cubes)
+#define MESH     (1u << FRAME_TARGET_positions | 1u << FRAME_TARGET_layer_depth)
 #define RADIANCE (1u << FRAME_TARGET_radiance)
 #define SEEN     (1u << FRAME_TARGET_seen)
 #define LIGHT    (1u << FRAME_TARGET_light)
@@ -32,6 +33,12 @@ const FramePass frame_passes[] = {
      "always: what is not drawn is clear",
      NULL},
     {{"plane", 0, 0, DEPTH | GBUFFER, 0}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane", NULL},
+    {{"positions", DEPTH, MESH, 0, 0},
+     pass_positions_needed,
+     pass_positions_make,
+     pass_positions_draw,
+     "what the picture knows is looked at from beside",
+     NULL},
     {{"shadow", 0, SHADOW, 0, 0},
      pass_shadow_needed,
      pass_shadow_make,
@@ -158,6 +165,8 @@ static unsigned wanted(const Render *render)
     const unsigned kept = facet_lights_seen(render) ? SEEN : 0;
     if (view && voxels_view_level(view) >= 0)
         return CUBES;
+    if (pass_positions_is_view(view))
+        return 1u << FRAME_TARGET_positions;
     if (view && indirect_view_lanes(view))
         return OPEN | kept;
     for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
@@ -211,6 +220,7 @@ void frame_place(Render *render)
     volume_shown_place(render);
     pass_tone_place(render);
     pass_cubes_place(render);
+    pass_positions_place(render);
     pass_combine_place(render);
     lighting_place(render, &render->blend);
     lighting_place(render, &render->peel);
@@ -287,6 +297,7 @@ bool frame_change(Render *render, unsigned what)
     pass_volume_change(render);
     volume_shown_place(render);
     pass_cubes_place(render);
+    pass_positions_place(render);
     pass_rays_place(render);
     indirect_doubt(render, what & RENDER_TIME     ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness
                            : what & RENDER_LIGHTS ? INDIRECT_DOUBT_light
@@ -315,6 +326,7 @@ void frame_delete(Render *render)
     light_far_delete(render);
     pass_edge_delete(render);
     pass_tools_delete(render);
+    pass_positions_delete(render);
     screen_pass_delete(&render->blend);
     pass_lists_delete(render);
     pass_peel_delete(render);

@@ -20,6 +20,7 @@ typedef enum {
     FRAME_TARGET_shadow,   /* maps of their own size: pass_shadow.c has them */
     FRAME_TARGET_voxels,   /* of their own size, too: pass_voxels.c */
     FRAME_TARGET_cubes,    /* a view of them */
+    FRAME_TARGET_positions, /* a view of depth as a mesh */
     FRAME_TARGET_radiance, /* buffers: pass_radiance.c */
     FRAME_TARGET_seen,     /* numbers of triangles, or how steep they are */
     FRAME_TARGET_lists,    /* no texture, but a buffer */
@@ -45,6 +46,7 @@ typedef enum {
     FRAME_DRAW_seen,    /* the same and what is seen */
     FRAME_DRAW_sky,     /* light and depth */
     FRAME_DRAW_cubes,
+    FRAME_DRAW_positions,
     FRAME_DRAW_light,
     FRAME_DRAW_rays,
     FRAME_DRAW_smooth,
@@ -97,6 +99,12 @@ typedef struct {
     Framebuffer lines, colors; /* light and the tools' target with depth; that target alone */
     ScreenPass veil;           /* lays what is transparent over the tools: what it lets through */
 } FrameTools;
+
+/* Of pass_positions.c. */
+typedef struct {
+    Material material;
+    GLuint array; /* without a buffer: vertices are numbers */
+} FramePositions;
 
 /* Of pass_lists.c. */
 typedef struct {
@@ -163,6 +171,7 @@ struct Render {
     int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
     FrameEdge edge;
     FrameTools tools;
+    FramePositions positions;
     FrameVolumes volumes;
     FrameFar far;
     LightTable lights;
@@ -251,6 +260,13 @@ bool pass_surface_needed(const Render *render);
 void pass_surface_draw(Render *render);
 bool pass_plane_needed(const Render *render);
 void pass_plane_draw(Render *render);
+/* The view is one of these; what has to be as a tile's place, the camera, or objects are others. */
+bool pass_positions_is_view(const char *view);
+bool pass_positions_needed(const Render *render);
+bool pass_positions_make(Render *render);
+void pass_positions_place(Render *render);
+void pass_positions_draw(Render *render);
+void pass_positions_delete(Render *render);
 bool pass_sky_needed(const Render *render);
 void pass_sky_draw(Render *render);
 bool pass_shadow_needed(const Render *render);

@@ -78,7 +78,7 @@ static void find_tile(const Render *render, int margin, int tile[2])
     const int height =
         least(least(render->whole[1], most), light_far_rows(render, width + 2 * margin) - 2 * margin);
     const size_t rows =
-        render->plan.there & 1u << FRAME_TARGET_open ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
+        render->plan.there & (1u << FRAME_TARGET_open | 1u << FRAME_TARGET_positions) ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
     const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
     const int fewest = RENDER_TILE_LEAST * render->samples;
     tile[0] = least(width, options->tile[0] ? options->tile[0] * render->samples : width);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 static const char *const names[FRAME_TARGET_COUNT] = {
-    "depth",   "gbuffer", "shadow", "voxels", "cubes", "radiance", "seen",    "lists",    "far",   "light", "rays",
+    "depth",   "gbuffer", "shadow", "voxels", "cubes", "positions", "radiance", "seen",    "lists",    "far",   "light", "rays",
     "history", "smooth",  "open",   "edge",   "mask",  "layer",    "layer.z", "layer.id", "tools", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
@@ -45,6 +45,7 @@ const char *frame_format(const Render *render, FrameTarget target, int texture)
                                                  [FRAME_TARGET_open] = open,
                                                  [FRAME_TARGET_tools] = light,
                                                  [FRAME_TARGET_cubes] = "RGBA8",
+                                                 [FRAME_TARGET_positions] = "RGBA8",
                                                  [FRAME_TARGET_seen] = "R32UI",
                                                  [FRAME_TARGET_edge] = "R32UI",
                                                  [FRAME_TARGET_shown] = shown_format(render)};
@@ -163,6 +164,7 @@ static const struct {
                              [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
                              [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
                              [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
+                             [FRAME_DRAW_positions] = {FRAME_TARGET_positions, FRAME_TARGET_layer_depth},
                              [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
                              [FRAME_DRAW_rays] = {FRAME_TARGET_rays, -1},
                              [FRAME_DRAW_smooth] = {FRAME_TARGET_smooth, -1},

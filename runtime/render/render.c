@@ -18,15 +18,16 @@ bool render_view_is_picture(const char *view) { return !strcmp(view, "shown") ||
 static bool is_target(const char *view)
 {
     return render_view_is_picture(view) || !strcmp(view, "light") || !strcmp(view, "depth") ||
-           !strcmp(view, "shadow") || voxels_view_level(view) >= 0 || indirect_view_lanes(view);
+           !strcmp(view, "shadow") || voxels_view_level(view) >= 0 || pass_positions_is_view(view) ||
+           indirect_view_lanes(view);
 }
 
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
     if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
         return gl_fail(gl,
-                       "there is no view '%s': shown, wireframe, volume, light, depth, shadow, voxels, open, indirect, "
-                       "bent, visibility, or a slot",
+                       "there is no view '%s': shown, wireframe, volume, light, depth, shadow, positions, voxels, open, "
+                       "indirect, bent, visibility, or a slot",
                        options->view),
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
@@ -316,7 +317,8 @@ int render_lanes(const Render *render)
     const char *view = render->options.view;
     if (view && indirect_view_lanes(view))
         return indirect_view_lanes(view);
-    if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || voxels_view_level(view) >= 0)
+    if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || voxels_view_level(view) >= 0 ||
+        pass_positions_is_view(view))
         return 4;
     const int lanes =
         strcmp(view, "depth") && strcmp(view, "shadow") ? type_table[slot_table[render_find_slot(view)].type].lanes : 1;

@@ -45,6 +45,8 @@ static bool read_samples(Render *render, float *rgba)
                (indirect_view_lanes(view) > 1 || show_last(render, rgba));
     if (voxels_view_level(view) >= 0)
         return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_cubes], 0, rgba);
+    if (pass_positions_is_view(view))
+        return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_positions], 0, rgba);
     if (render->has_reader)
         return reader_read(&render->reader, surface, render_find_slot(view), rgba) && read_depth(render, false, rgba);
     memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);
