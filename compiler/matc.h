@@ -132,6 +132,8 @@ typedef enum {
     MATC_TESSEVAL = 4096,    /* and what the vertex program does at the points between. Targets of GLSL 4 alone */
     MATC_DISPLACE = 8192, /* GLSL for any stage that is written around it: `vec3 matc_displaced(vec3 position, vec3 displacementNormal,
                            * vec2 displacementTexcoord, vec3 displacementTangentU, vec3 displacementTangentV)`, a point in the world */
+    MATC_GEOMETRYVERTEX = 16384, /* GLSL of the vertex program that hands attributes on to a geometry program, */
+    MATC_GEOMETRY = 32768, /* and that: it divides triangles, and does what the vertex program does. Targets of desktop GLSL from 3.30 on */
     MATC_STATS = 128,  /* table of stages and optimiser passes; the choices, and what settled each */
 } MatcOutput;
 

@@ -6,12 +6,13 @@
 #include "compiler/layout/layout.h"
 #include "compiler/layout/layout_read.h"
 #include "compiler/emit/texture.h"
+#include "compiler/emit/stages.h"
 #include "compiler/emit/validate.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { OUTPUT_COUNT = 14 }; /* bits of MatcOutput */
+enum { OUTPUT_COUNT = 16 }; /* bits of MatcOutput */
 
 struct MatcProgram {
     Arena arena;
@@ -132,25 +133,25 @@ static void keep_reflection(MatcProgram *p)
     keep_text(p, MATC_REFLECT, emit_reflection(&p->session, p->ir, &p->job, &reflected));
 }
 
-/* All three, or none: they are linked with the fragment program. */
-static bool fill_tessellation(MatcProgram *p, unsigned outputs)
+static bool fill_stages(MatcProgram *p, unsigned outputs)
 {
-    const MatcOutput of[] = {MATC_TESSVERTEX, MATC_TESSCONTROL, MATC_TESSEVAL};
-    const char *texts[TESSELLATION_COUNT], *log = "";
-    if (!(outputs & (MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL)))
-        return true;
-    if (!target_table[p->job.target].tessellation || p->job.pass == PASS_plane || p->job.pass == PASS_sky || p->job.instances) {
-        diag_add(&p->session, NO_SPAN, DIAG_no_tessellation, target_table[p->job.target].name, pass_table[p->job.pass].name);
-        return false;
+    const unsigned tessellation = MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL,
+                   geometry = MATC_GEOMETRYVERTEX | MATC_GEOMETRY;
+    EmitStages made = {.fragment = p->products.fragment};
+    if (outputs & tessellation) {
+        if (!emit_tessellation_stages(&p->session, &p->job, &p->products.interface, &made))
+            return false;
+        keep_text(p, MATC_TESSVERTEX, made.vertex);
+        keep_text(p, MATC_TESSCONTROL, made.control);
+        keep_text(p, MATC_TESSEVAL, made.evaluation);
     }
-    for (int i = 0; i < TESSELLATION_COUNT; i++) {
-        texts[i] = emit_tessellation(&p->session, &p->job, &p->products.interface, (TessellationStage)i);
-        keep_text(p, of[i], texts[i]);
+    if (outputs & geometry) {
+        if (!emit_geometry_stages(&p->session, &p->job, &p->products.interface, &made))
+            return false;
+        keep_text(p, MATC_GEOMETRYVERTEX, made.vertex);
+        keep_text(p, MATC_GEOMETRY, made.geometry);
     }
-    if (!p->session.options->validate || validate_tessellation(&p->session, p->job.target, texts, p->products.fragment, &log))
-        return true;
-    diag_add(&p->session, NO_SPAN, DIAG_not_valid, target_table[p->job.target].name, log);
-    return false;
+    return true;
 }
 
 static void fill_outputs(MatcProgram *p, unsigned outputs)
@@ -235,10 +236,7 @@ static void list_constants(MatcProgram *p)
 }
 
 /* Discards count, displacement does not. */
-static bool writes_pixels(const Ir *ir)
-{
-    return ir->output_count > (ir->displaced != NULL);
-}
+static bool writes_pixels(const Ir *ir) { return ir->output_count > (ir->displaced != NULL); }
 
 double matc_displacement_bound(const MatcProgram *p) { return p->ir ? compile_displacement_bound(p->ir) : 0; }
 
@@ -265,7 +263,7 @@ static bool write_program(MatcProgram *p, unsigned outputs)
     p->written = true;
     fill_outputs(p, outputs);
     p->texture_count = texture_list(&p->session, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
-    return fill_tessellation(p, outputs) && (!(outputs & MATC_SPIRV) || fill_spirv(p));
+    return fill_stages(p, outputs) && (!(outputs & MATC_SPIRV) || fill_spirv(p));
 }
 
 /* Options that mean nothing are a fault of the program's. */

@@ -36,6 +36,9 @@ const char *emit_displace(Session *session, const Job *job, const Interface *int
 /* The programs that tessellate, in the vertex program's stead. tessellation.c */
 typedef enum { TESSELLATION_vertex, TESSELLATION_control, TESSELLATION_eval, TESSELLATION_COUNT } TessellationStage;
 const char *emit_tessellation(Session *session, const Job *job, const Interface *interface, TessellationStage stage);
+/* The geometry program that divides triangles, and the vertex program before it. geometry.c */
+typedef enum { GEOMETRY_vertex, GEOMETRY_geometry, GEOMETRY_COUNT } GeometryStage;
+const char *emit_geometry(Session *session, const Job *job, const Interface *interface, GeometryStage stage);
 /* GLSL that reads the layout back: struct Surface, unpackTexels() of what the targets hold, unpackSurface() of where. */
 const char *emit_unpack(Session *session, const Job *job);
 /* A program that is made, as its reflection tells of it. */

@@ -5,43 +5,30 @@
  * products, whose order does not matter, and of a third that is 0 there. `precise` keeps a compiler from fusing either. */
 #include "compiler/emit/vertex.h"
 #include "compiler/emit/emit_declare.h"
-#include <string.h>
 
 /* Where its uniforms lie: behind all bindings of textures. */
 enum { LEVEL_BLOCK = 83 };
 
-/* "vec3 position": position. */
-static const char *name_of(const VertexAttribute *attribute) { return attribute->declaration + strcspn(attribute->declaration, " ") + 1; }
-
-static int type_size(const VertexAttribute *attribute) { return (int)strcspn(attribute->declaration, " "); }
-
-/* On its way from one stage to the next: `layout(location = 0) out vec3 matc_corner_position[];` */
-static void put_between(Text *out, int location, const VertexAttribute *attribute, const char *form)
-{
-    text_format(out, "layout(location = %d) ", location);
-    text_format(out, form, type_size(attribute), attribute->declaration, name_of(attribute));
-}
-
-static void put_vertex(Text *out, const VertexAttribute *list, int count)
+static void put_vertex(Text *out, const Job *job, const VertexAttribute *list, int count)
 {
     for (int i = 0; i < count; i++)
         text_format(out, "layout(location = %d) in %s;\n", list[i].location, list[i].declaration);
     for (int i = 0; i < count; i++)
-        put_between(out, i, &list[i], "out %.*s matc_vertex_%s;\n");
+        emit_vertex_between(out, job, i, &list[i], "out %.*s matc_vertex_%s;\n");
     text_put(out, "\nvoid main() {\n");
     for (int i = 0; i < count; i++)
-        text_format(out, "    matc_vertex_%s = %s;\n", name_of(&list[i]), name_of(&list[i]));
+        text_format(out, "    matc_vertex_%s = %s;\n", emit_vertex_name(&list[i]), emit_vertex_name(&list[i]));
     text_put(out, "}\n");
 }
 
 /* matc_levels is how many parts an edge is made of that is as long as it is far away. */
-static void put_control(Text *out, const VertexAttribute *list, int count)
+static void put_control(Text *out, const Job *job, const VertexAttribute *list, int count)
 {
     text_put(out, "layout(vertices = 3) out;\n");
     for (int i = 0; i < count; i++)
-        put_between(out, i, &list[i], "in %.*s matc_vertex_%s[];\n");
+        emit_vertex_between(out, job, i, &list[i], "in %.*s matc_vertex_%s[];\n");
     for (int i = 0; i < count; i++)
-        put_between(out, i, &list[i], "out %.*s matc_corner_%s[];\n");
+        emit_vertex_between(out, job, i, &list[i], "out %.*s matc_corner_%s[];\n");
     text_format(out, "layout(std140, binding = %d) uniform Levels {\n", LEVEL_BLOCK);
     text_put(out, "    mat4 matc_levelFromLocal;\n    vec3 matc_levelEye;\n    float matc_levels;\n};\n\n"
                   "// By what both of its triangles know of an edge.\n"
@@ -50,8 +37,8 @@ static void put_control(Text *out, const VertexAttribute *list, int count)
                   "    precise float parts = matc_levels * distance(a, b) / max(distance(middle, matc_levelEye), 1e-30);\n"
                   "    return clamp(parts, 1.0, 64.0);\n}\n\nvoid main() {\n");
     for (int i = 0; i < count; i++)
-        text_format(out, "    matc_corner_%s[gl_InvocationID] = matc_vertex_%s[gl_InvocationID];\n", name_of(&list[i]),
-                    name_of(&list[i]));
+        text_format(out, "    matc_corner_%s[gl_InvocationID] = matc_vertex_%s[gl_InvocationID];\n", emit_vertex_name(&list[i]),
+                    emit_vertex_name(&list[i]));
     text_put(out, "    if (gl_InvocationID == 0) {\n        vec3 corner[3];\n"
                   "        for (int i = 0; i < 3; i++)\n"
                   "            corner[i] = (matc_levelFromLocal * vec4(matc_vertex_position[i], 1.0)).xyz;\n"
@@ -67,13 +54,13 @@ static void put_eval(Text *out, const Job *job, const Interface *interface)
     const int count = emit_vertex_attributes(job, interface, list);
     text_put(out, "layout(triangles, equal_spacing, ccw) in;\n");
     for (int i = 0; i < count; i++)
-        put_between(out, i, &list[i], "in %.*s matc_corner_%s[];\n");
+        emit_vertex_between(out, job, i, &list[i], "in %.*s matc_corner_%s[];\n");
     for (int i = 0; i < count; i++)
         text_format(out, "precise %s;\n", list[i].declaration);
     emit_vertex_declarations(out, job, interface);
     text_put(out, "void main() {\n");
     for (int i = 0; i < count; i++) {
-        const char *name = name_of(&list[i]);
+        const char *name = emit_vertex_name(&list[i]);
         text_format(out,
                     "    %s = matc_corner_%s[0] * gl_TessCoord.x + matc_corner_%s[1] * gl_TessCoord.y + "
                     "matc_corner_%s[2] * gl_TessCoord.z;\n",
@@ -91,9 +78,9 @@ const char *emit_tessellation(Session *session, const Job *job, const Interface 
     emit_version(&out, job->target);
     text_format(&out, "// matc " MATC_VERSION ": %s of pass %s\n\n", names[stage], pass_table[job->pass].name);
     if (stage == TESSELLATION_vertex)
-        put_vertex(&out, list, count);
+        put_vertex(&out, job, list, count);
     else if (stage == TESSELLATION_control)
-        put_control(&out, list, count);
+        put_control(&out, job, list, count);
     else
         put_eval(&out, job, interface);
     return out.at;

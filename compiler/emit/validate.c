@@ -120,16 +120,16 @@ bool validate(Session *session, Target target, const ProgramTexts *texts, const 
     return fine;
 }
 
-bool validate_tessellation(Session *session, Target target, const char *const stages[3], const char *fragment, const char **log)
+bool validate_stages(Session *session, Target target, const ValidateStages *stages, const char **log)
 {
-    static const glslang_stage_t kinds[] = {GLSLANG_STAGE_VERTEX, GLSLANG_STAGE_TESSCONTROL, GLSLANG_STAGE_TESSEVALUATION};
+    static const glslang_stage_t kinds[] = {GLSLANG_STAGE_VERTEX, GLSLANG_STAGE_TESSCONTROL, GLSLANG_STAGE_TESSEVALUATION, GLSLANG_STAGE_GEOMETRY, GLSLANG_STAGE_FRAGMENT};
+    const char *const texts[] = {stages->vertex, stages->control, stages->evaluation, stages->geometry, stages->fragment};
     Validation v = {.session = session, .target = target, .log = "glslang cannot be started"};
     pthread_once(&initialised, initialise);
     v.program = glslang_program_create();
     bool fine = v.program != NULL;
-    for (int i = 0; i < 3 && fine; i++)
-        fine = parse(&v, kinds[i], stages[i]);
-    fine = fine && parse(&v, GLSLANG_STAGE_FRAGMENT, fragment);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds && fine; i++)
+        fine = !texts[i] || parse(&v, kinds[i], texts[i]);
     const int messages = (int)input_for(target, GLSLANG_STAGE_FRAGMENT, "").messages;
     fine = fine && (glslang_program_link(v.program, messages) || fail(&v, glslang_program_get_info_log(v.program)));
     *log = v.log;

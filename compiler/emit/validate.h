@@ -13,8 +13,11 @@ typedef struct {
 /* Parses both programs and links them. Where MatcLinked knows the declarations beside this vertex program, the fragment program
  * is parsed and linked alone. False: *log tells why. */
 bool validate(Session *session, Target target, const ProgramTexts *texts, const char **log);
-/* The same of a fragment program and the three that tessellate, in their order. */
-bool validate_tessellation(Session *session, Target target, const char *const stages[3], const char *fragment, const char **log);
+/* The same of programs of more stages; NULL: there is none. */
+typedef struct {
+    const char *vertex, *control, *evaluation, *geometry, *fragment;
+} ValidateStages;
+bool validate_stages(Session *session, Target target, const ValidateStages *stages, const char **log);
 /* The fragment program as SPIR-V, in the arena; NULL: *log tells why. */
 const char *validate_to_spirv(Session *session, const char *fragment, size_t *size, const char **log);
 #endif

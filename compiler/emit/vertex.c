@@ -189,6 +189,15 @@ int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAtt
     return count;
 }
 
+const char *emit_vertex_name(const VertexAttribute *attribute) { return attribute->declaration + strcspn(attribute->declaration, " ") + 1; }
+
+void emit_vertex_between(Text *out, const Job *job, int number, const VertexAttribute *attribute, const char *form)
+{
+    if (target_table[job->target].locations)
+        text_format(out, "layout(location = %d) ", number);
+    text_format(out, form, (int)strcspn(attribute->declaration, " "), attribute->declaration, emit_vertex_name(attribute));
+}
+
 void emit_vertex_declarations(Text *out, const Job *job, const Interface *interface)
 {
     bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};

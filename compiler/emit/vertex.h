@@ -1,4 +1,4 @@
-/* The vertex program's parts. The programs that tessellate are made of them, too. Private to vertex.c and tessellation.c. */
+/* The vertex program's parts. The programs that tessellate are made of them, too. So is the geometry program. Private to vertex.c, tessellation.c and geometry.c. */
 #ifndef MATC_VERTEX_H
 #define MATC_VERTEX_H
 #include "compiler/emit/emit.h"
@@ -10,6 +10,10 @@ typedef struct {
 enum { VERTEX_ATTRIBUTES = 10 };
 /* What it reads from the mesh; how many. */
 int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAttribute list[VERTEX_ATTRIBUTES]);
+/* "vec3 position": position. */
+const char *emit_vertex_name(const VertexAttribute *attribute);
+/* On its way from one stage to the next, as number `number` of them: "out %.*s matc_vertex_%s;\n" gets its type and its name. */
+void emit_vertex_between(Text *out, const Job *job, int number, const VertexAttribute *attribute, const char *form);
 /* Uniforms, varyings, and the functions that displace, ended by an empty line. */
 void emit_vertex_declarations(Text *out, const Job *job, const Interface *interface);
 /* What main() does with attributes of these names, and its end. */

@@ -46,6 +46,7 @@ static const char *const file_keys[EMIT_COUNT] = {
     [EMIT_glsl] = "fragment", [EMIT_vertex] = "vertex", [EMIT_reflect] = "reflection",
     [EMIT_spirv] = "spirv",   [EMIT_ir] = "ir",         [EMIT_dot] = "dot",
     [EMIT_tessvertex] = "tessvertex", [EMIT_tesscontrol] = "tesscontrol", [EMIT_tesseval] = "tesseval",
+    [EMIT_geometryvertex] = "geometryvertex", [EMIT_geometry] = "geometry",
     [EMIT_displace] = "displace",
 };
 

@@ -24,6 +24,8 @@ const EmitRow emit_table[EMIT_COUNT] = {
     {"tessvertex", ".tess.vert", MATC_TESSVERTEX},
     {"tesscontrol", ".tesc", MATC_TESSCONTROL},
     {"tesseval", ".tese", MATC_TESSEVAL},
+    {"geometryvertex", ".geom.vert", MATC_GEOMETRYVERTEX},
+    {"geometry", ".geom", MATC_GEOMETRY},
     {"displace", ".displace.glsl", MATC_DISPLACE},
     {"tree", ".tree", 0},
 };

@@ -19,6 +19,8 @@ typedef enum {
     EMIT_tessvertex,
     EMIT_tesscontrol,
     EMIT_tesseval,
+    EMIT_geometryvertex,
+    EMIT_geometry,
     EMIT_displace,
     EMIT_tree,
     EMIT_COUNT

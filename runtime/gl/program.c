@@ -28,6 +28,7 @@ static GLuint compile(GlContext *gl, GLenum type, const char *const *pieces)
     const char *name = type == GL_VERTEX_SHADER            ? "vertex"
                        : type == GL_COMPUTE_SHADER         ? "compute"
                        : type == GL_TESS_CONTROL_SHADER    ? "tessellation control"
+                       : type == GL_GEOMETRY_SHADER        ? "geometry"
                        : type == GL_TESS_EVALUATION_SHADER ? "tessellation evaluation"
                                                            : "fragment";
     int count = count_pieces(pieces);
@@ -76,7 +77,7 @@ static bool link(GlContext *gl, GLuint program)
 }
 
 typedef struct {
-    GLuint at[4]; /* 0: none */
+    GLuint at[5]; /* 0: none */
     int count;
 } Shaders;
 
@@ -113,6 +114,7 @@ GLuint program_make(GlContext *gl, const ProgramText *text)
         fine = add(gl, GL_VERTEX_SHADER, text->vertex, &shaders) &&
                (!text->control[0] || (add(gl, GL_TESS_CONTROL_SHADER, text->control, &shaders) &&
                                       add(gl, GL_TESS_EVALUATION_SHADER, text->evaluation, &shaders))) &&
+               (!text->geometry[0] || add(gl, GL_GEOMETRY_SHADER, text->geometry, &shaders)) &&
                add(gl, GL_FRAGMENT_SHADER, text->fragment, &shaders);
     GLuint program = fine ? join(gl, &shaders, text) : 0;
     for (int i = 0; i < shaders.count; i++)

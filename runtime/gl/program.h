@@ -10,6 +10,7 @@ typedef struct {
     const char *vertex[PROGRAM_PIECES]; /* read one after the other; NULL ends the list */
     const char *fragment[PROGRAM_PIECES];
     const char *control[PROGRAM_PIECES], *evaluation[PROGRAM_PIECES]; /* both or none: of patches of three corners */
+    const char *geometry[PROGRAM_PIECES];
     const char *compute[PROGRAM_PIECES];                              /* alone, where the others have none */
     const char *const *attributes; /* name i is bound to vertex attribute i; NULL: those of mesh.h */
     int attribute_count;

@@ -116,7 +116,8 @@ static Key key_of_text(const char *text) { return text ? key_of_bytes(text, strl
 /* The key of the keys of all parts, so that none runs into the next. */
 static Key key_of_program(const ProgramText *text)
 {
-    const char *const *const stages[] = {text->vertex, text->fragment, text->compute, text->control, text->evaluation};
+    const char *const *const stages[] = {text->vertex, text->fragment, text->compute, text->control, text->evaluation,
+                                         text->geometry};
     enum { STAGES = sizeof stages / sizeof *stages, LISTS = STAGES * PROGRAM_PIECES };
     const struct {
         const char *const *names;
