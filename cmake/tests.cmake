@@ -12,6 +12,14 @@ function(matc_test name)
   set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${LEAKS}")
 endfunction()
 
+# What both builds would show alike is run once where both are at hand, and by the sanitizers: ./setup test under CI. What these leave out
+# or take in part, and what takes no time, is run by both.
+option(MATC_TESTS_ONCE "Leaves out tests that the sanitized build runs in full" OFF)
+set(SANITIZED FALSE)
+if(CMAKE_C_FLAGS MATCHES "sanitize")
+  set(SANITIZED TRUE)
+endif()
+
 add_executable(golden tests/run.c)
 target_link_libraries(golden PRIVATE matc_tool)
 set_target_properties(golden PROPERTIES LINKER_LANGUAGE CXX)
@@ -24,12 +32,23 @@ target_compile_options(strike PRIVATE -fno-sanitize=all)
 target_link_libraries(strike PRIVATE matc_flags ${CMAKE_DL_LIBS})
 target_link_options(strike PRIVATE -fno-sanitize=all)
 
+# ctest -L quick: for the inner loop, a few seconds in all
+set(QUICK golden abi embed_example functions layers locale exports test_affine test_bounded test_convert test_defaults test_exact
+  test_exact_material test_filtered_pass test_ir_check test_journal_damage test_journal_forgery test_journal_undoing test_json
+  test_json_write test_key test_ktx test_layout_cases test_layout_file test_merge test_names test_narrow test_oracle test_oracle_material
+  test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_range test_sheet test_tables test_thesis)
+
 file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
-if(CMAKE_C_FLAGS MATCHES "sanitize") # frames and memory are others then; means of many numbers, and pictures beside others' renderers, the same
-  list(FILTER TESTS EXCLUDE REGEX "test_(area|memory|stack|statistics|statistics_cells|reference_pictures)[.]c$")
-endif()
+# Frames and memory are others under sanitizers; means of many numbers, and pictures beside others' renderers, the same
+set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures)
 foreach(file ${TESTS})
   get_filename_component(name ${file} NAME_WE)
+  file(STRINGS ${file} partly REGEX "tests/(sanitized|kill/world)[.]h")
+  if(SANITIZED AND name IN_LIST UNSANITIZED)
+    continue()
+  elseif(MATC_TESTS_ONCE AND NOT partly AND NOT name IN_LIST UNSANITIZED AND NOT name IN_LIST QUICK)
+    continue()
+  endif()
   add_executable(${name} ${file})
   target_compile_definitions(${name} PRIVATE SOURCE_FOLDER="${PROJECT_SOURCE_DIR}" MATC_PROGRAM="$<TARGET_FILE:matc>"
     MATVIEW_PROGRAM="$<TARGET_FILE:matview>")
@@ -57,8 +76,10 @@ foreach(file ${TESTS})
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   matc_test(${name} ${name})
 endforeach()
-matc_test(test_gl_egl test_gl egl)
-matc_test(test_gl_texture_egl test_gl_texture egl)
+if(NOT MATC_TESTS_ONCE)
+  matc_test(test_gl_egl test_gl egl)
+  matc_test(test_gl_texture_egl test_gl_texture egl)
+endif()
 
 # The stages that read ops.def, with the operation added that its head adds: it takes a row, and no other file. Those that do not read
 # it are as before also where they look into its tables: ir.h declares these without a length.
@@ -84,31 +105,33 @@ matc_test(operation operation)
 set_tests_properties(test_mended PROPERTIES ENVIRONMENT "${LEAKS}:use_tls=0")
 
 # From outside
-matc_test(command_line sh tests/command_line.sh $<TARGET_FILE:matc>)
-matc_test(batch sh tests/batch.sh $<TARGET_FILE:matc>)
-matc_test(folder sh tests/folder.sh $<TARGET_FILE:matc>)
-matc_test(links sh tests/links.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
-matc_test(lists sh tests/lists.sh $<TARGET_FILE:matc>)
-matc_test(options sh tests/options.sh $<TARGET_FILE:matc>)
-matc_test(names sh tests/names.sh $<TARGET_FILE:matc>)
-matc_test(special sh tests/special.sh $<TARGET_FILE:matc>)
-matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>)
-matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
-matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
-matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
-add_executable(tree_json tests/suites/tree.c)
-target_link_libraries(tree_json PRIVATE libmatc)
-set_target_properties(tree_json PROPERTIES LINKER_LANGUAGE CXX)
-matc_test(suites sh tests/suites/run.sh $<TARGET_FILE:tree_json> ${PROJECT_BINARY_DIR})
+if(NOT MATC_TESTS_ONCE)
+  matc_test(command_line sh tests/command_line.sh $<TARGET_FILE:matc>)
+  matc_test(batch sh tests/batch.sh $<TARGET_FILE:matc>)
+  matc_test(folder sh tests/folder.sh $<TARGET_FILE:matc>)
+  matc_test(links sh tests/links.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
+  matc_test(lists sh tests/lists.sh $<TARGET_FILE:matc>)
+  matc_test(options sh tests/options.sh $<TARGET_FILE:matc>)
+  matc_test(names sh tests/names.sh $<TARGET_FILE:matc>)
+  matc_test(special sh tests/special.sh $<TARGET_FILE:matc>)
+  matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>)
+  matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
+  matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
+  matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
+  add_executable(tree_json tests/suites/tree.c)
+  target_link_libraries(tree_json PRIVATE libmatc)
+  set_target_properties(tree_json PROPERTIES LINKER_LANGUAGE CXX)
+  matc_test(suites sh tests/suites/run.sh $<TARGET_FILE:tree_json> ${PROJECT_BINARY_DIR})
+  matc_test(meshes sh tests/meshes/fetch.sh ${PROJECT_BINARY_DIR})
+  set_tests_properties(test_frame_meshes PROPERTIES DEPENDS meshes)
+endif()
 matc_test(functions matbench functions)
-matc_test(meshes sh tests/meshes/fetch.sh ${PROJECT_BINARY_DIR})
-set_tests_properties(test_frame_meshes PROPERTIES DEPENDS meshes)
 
 # The libraries and packages
 set(LIBRARIES ${MATC_KINDS})
 list(TRANSFORM LIBRARIES REPLACE "(.+)" "$<TARGET_FILE:matc_\\1>")
 matc_test(abi sh tests/abi.sh ${LIBRARIES} $<TARGET_FILE:matc_render_shared>)
-if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot link to a library with them
+if(NOT SANITIZED) # a program without sanitizers cannot link to a library with them
   matc_test(package sh tests/package.sh ${PROJECT_BINARY_DIR})
   matc_test(install sh tests/install.sh ${PROJECT_BINARY_DIR})
   matc_test(install_make sh tests/install.sh ${PROJECT_BINARY_DIR} "Unix Makefiles")
@@ -120,7 +143,7 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot l
 endif()
 
 # The same in every build: what the sources are, what SPIR-V is, figures in docs/, a second judge of what is for WebGL 2 (ctest -L browser)
-if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
+if(NOT SANITIZED)
   matc_test(order sh tests/order.sh)
   matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
   matc_test(locale sh tests/locale.sh)
@@ -151,11 +174,7 @@ foreach(pair ${LONG})
   endif()
 endforeach()
 
-# ctest -L quick: for the inner loop, a few seconds in all
-set(QUICK golden abi embed_example functions layers locale exports test_affine test_bounded test_convert test_defaults test_exact
-  test_exact_material test_filtered_pass test_ir_check test_journal_damage test_journal_forgery test_journal_undoing test_json
-  test_json_write test_key test_ktx test_layout_cases test_layout_file test_merge test_names test_narrow test_oracle test_oracle_material
-  test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_range test_sheet test_tables test_thesis)
+# Those of the inner loop
 foreach(name ${QUICK})
   if(TEST ${name})
     set_tests_properties(${name} PROPERTIES LABELS quick)

@@ -290,7 +290,7 @@ static void check_material(Worker *w, Document *document, int material, bool cha
             const Way *way = &way_table[i];
             const int governing = subject_governing(&subjects, way->choice);
             const double bound = way_bound(way, document, governing);
-            if (way_matters(way, &subjects))
+            if ((slot + i) % SANITIZED_SHARE == 0 && way_matters(way, &subjects))
                 check_way(w, &(Case){&subject, (Slot)slot, way, &subjects, governing, bound, changed});
         }
     }
