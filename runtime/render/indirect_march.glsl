@@ -51,29 +51,40 @@ IndirectHit indirectMarch(vec3 from, vec3 way, float less, vec4 center)
 #ifdef INDIRECT_CHECKED
         if (distance(indirectPoint(pixel, depth), center.xyz) > center.w) continue;
 #endif
-        return IndirectHit(t, pixel);
+        return IndirectHit(t, pixel, vec3(0.0));
     }
-    return IndirectHit(-1.0, ivec2(0));
+    return IndirectHit(-1.0, ivec2(0), vec3(0.0));
+}
+
+// What all rays of a point have in common: where they begin.
+struct IndirectOrigin {
+    vec3 point, from;
+    float lift;
+};
+
+IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
+{
+    float lift = indirectLift(point, normal);
+    return IndirectOrigin(point, point + lift * normal, lift);
 }
 
 #ifdef INDIRECT_VOXELS
 // By the same steps in space, but of voxels (4.4): they know what is hidden, and no colour. So light is that of the pixel in which the hit would be seen (5.3.4), whatever that shows;
 // where the thesis takes the colour of the picture's edge for what is beside it, there is none.
-IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
+IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 {
     float t;
-    vec3 from = point + indirectLift(point, normal) * normal, whole = indirect_reach.x * way;
-    if (!voxelMarch(voxelPlace(from), voxelDirection(whole), INDIRECT_STEPS, -less, t)) return IndirectHit(-1.0, ivec2(0));
-    vec3 end = from + t * whole;
+    vec3 whole = indirect_reach.x * way;
+    if (!voxelMarch(voxelPlace(origin.from), voxelDirection(whole), INDIRECT_STEPS, -less, t)) return IndirectHit(-1.0, ivec2(0), vec3(0.0));
+    vec3 end = origin.from + t * whole;
     vec2 place = indirectPlace(end);
     bool shown = (indirectIsOrthographic() || -end.z > indirect_view.x) && all(greaterThanEqual(place, vec2(0.0))) &&
                  all(lessThan(place, indirect_picture.xy));
-    return IndirectHit(t, shown ? ivec2(place) : ivec2(-1));
+    return IndirectHit(t, shown ? ivec2(place) : ivec2(-1), vec3(0.0));
 }
 #else
-IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
+IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 {
-    float lift = indirectLift(point, normal);
-    return indirectMarch(point + lift * normal, indirect_reach.x * way, less, vec4(point, indirect_reach.x + lift));
+    return indirectMarch(origin.from, indirect_reach.x * way, less, vec4(origin.point, indirect_reach.x + origin.lift));
 }
 #endif

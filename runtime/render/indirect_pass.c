@@ -6,6 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Where a scene doesn't say: of a ray through the picture; of its NEAR first voxels, so that one is as long as a voxel, half of what the picture shows is thick. */
+enum { STEPS = 8, NEAR = 4, STEPS_NEAR = NEAR };
+
 /* Numbers of blue noise that a vector of the block has. */
 enum { BLOCK_HEAD = 5, RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED };
 
@@ -34,12 +37,19 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
     const SceneIndirect *in = &render->scene->indirect;
     const bool uniform = in->distribution == WORD_Distribution_uniform, bent = indirect_shows(render, "bent");
     const IndirectSequence sequence = sequence_of(render);
+    const bool near = indirect_method(render) == WORD_Indirect_hybrid;
+    char voxels[32] = "";
+    if (indirect_reads_voxels(render))
+        snprintf(voxels, sizeof voxels, "#define VOXEL_SIZE %d\n", render->scene->voxel_size);
     snprintf(text, INDIRECT_DEFINITIONS,
              "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
              "#define INDIRECT_SAMPLES %d\n#define INDIRECT_TILE %d\n#define INDIRECT_SHIFTS %d\n"
              "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
-             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s",
-             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE, in->steps,
+             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s%s",
+             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE,
+             in->steps ? in->steps
+             : near    ? STEPS_NEAR
+                       : STEPS,
              indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence), shifts_of(&sequence),
              (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
              indirect_coarse(render), indirect_filter_size(render),
@@ -48,10 +58,9 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
              uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                      : "#define INDIRECT_SHARE(cosine) 1.0\n",
              in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
-             in->checked ? "#define INDIRECT_CHECKED\n" : "",
-             indirect_method(render) == WORD_Indirect_hybrid ? "#define INDIRECT_NEAR\n" : "",
+             in->checked ? "#define INDIRECT_CHECKED\n" : "", near ? "#define INDIRECT_NEAR\n" : "",
              in->bounces > 0 && !bent && !indirect_shows(render, "visibility") ? "#define INDIRECT_LIGHT\n" : "",
-             bent ? "#define INDIRECT_BENT\n" : "");
+             bent ? "#define INDIRECT_BENT\n" : "", voxels);
 }
 
 int indirect_filter_size(const Render *render)
@@ -74,12 +83,12 @@ const char *indirect_surface_text(const Render *render)
 /* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do. y: a voxel of the map may be off by its diagonal. */
 static void set_models(const Render *render, float models[4])
 {
-    const double near = 4, thick = 2, part = .5; /* voxels, but the last */
+    const double thick = 2, part = .5; /* voxels, but the last */
     const SceneIndirect *in = &render->scene->indirect;
     const bool voxels = indirect_reads_voxels(render);
     const double edge = voxels ? voxel_grid(render->scene, &render->cache).edge : 0;
     const double radius = indirect_radius(render->scene, &render->cache);
-    models[0] = (float)(near * edge);
+    models[0] = (float)(NEAR * edge);
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
 

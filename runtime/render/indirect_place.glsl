@@ -132,6 +132,7 @@ vec3 indirectNormal(ivec2 pixel)
 struct IndirectHit {
     float t;     // share of the radius to it; less than 0: nothing
     ivec2 pixel; // that shows it; less than 0: none
+    vec3 sent;   // against the ray beside what the pixel sends: from cached radiance
 };
 
 // Of one pixel of INDIRECT_COARSE x INDIRECT_COARSE of the picture: for which of these rays go out.

@@ -5,19 +5,18 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, o
     float kept = 0.0;
     open = vec3(0.0);
     indirectBasis(normal, u, v);
+    IndirectOrigin origin = indirectOrigin(point, normal);
     for (int i = 0; i < INDIRECT_RAYS; i++) {
         vec3 local = indirectDirection(indirectSample(i, shift));
         vec3 way = local.x * u + local.y * v + local.z * normal;
-        IndirectHit hit = indirectMeet(point, normal, way, INDIRECT_JITTER * fract(shift.at.z + shift.more.z + 0.618034 * float(i)));
+        IndirectHit hit = indirectMeet(origin, way, INDIRECT_JITTER * fract(shift.at.z + shift.more.z + 0.618034 * float(i)));
         bool met = hit.t >= 0.0;
         kept += met ? indirectWeight(hit.t) : 0.0;
         open += met ? vec3(0.0) : way;
 #ifdef INDIRECT_LIGHT
         float share = INDIRECT_SHARE(local.z);
         if (met && hit.pixel.x >= 0) light += share * indirectSent(hit.pixel, way);
-#ifdef INDIRECT_RADIANCE
-        if (met) light += share * indirectCached(point, normal, hit, way);
-#endif
+        if (met) light += share * hit.sent;
 #endif
     }
     return vec4(light, kept) / float(INDIRECT_RAYS);

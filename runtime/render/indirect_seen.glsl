@@ -15,7 +15,7 @@ vec4 passPixel(ivec2 pixel)
     if (far > radius) return vec4(vec3(0.5 * shade), 1.0);
     bool seen = dot(own, way) > 0.0 && dot(normal, way) < 0.0;
     if (seen) {
-        IndirectHit hit = indirectMeet(from, own, way, 0.0);
+        IndirectHit hit = indirectMeet(indirectOrigin(from, own), way, 0.0);
         float step_ = 0.5 * indirect_models.x;
 #ifndef INDIRECT_LEVELS
         step_ = max(step_, radius / float(INDIRECT_STEPS));

@@ -81,10 +81,12 @@ vec4 passPixel(ivec2 pixel)
 vec4 passPixel(ivec2 at)
 {
 #ifdef SMOOTH_SPREAD
-    ivec2 pixel = at, middle = (at - INDIRECT_COARSE / 2) / INDIRECT_COARSE, low = ivec2(0, -INDIRECT_FILTER), high = ivec2(INDIRECT_COARSE > 1 ? 1 : 0, INDIRECT_FILTER);
-    if (INDIRECT_COARSE > 1) high.y++;
+    const int more = INDIRECT_COARSE > 1 ? 1 : 0;
+    const ivec2 low = ivec2(0, -INDIRECT_FILTER), count = ivec2(1 + more, 2 * INDIRECT_FILTER + 1 + more);
+    ivec2 pixel = at, middle = (at - INDIRECT_COARSE / 2) / INDIRECT_COARSE;
 #else
-    ivec2 pixel = indirectPixel(at), middle = at, low = ivec2(-INDIRECT_FILTER, 0), high = ivec2(INDIRECT_FILTER, 0);
+    const ivec2 low = ivec2(-INDIRECT_FILTER, 0), count = ivec2(2 * INDIRECT_FILTER + 1, 1);
+    ivec2 pixel = indirectPixel(at), middle = at;
 #endif
     float depth = texelFetch(indirect_depth, pixel, 0).x;
     if (depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
@@ -94,20 +96,19 @@ vec4 passPixel(ivec2 at)
     float reach = clamp(indirect_picture.w / (from.width * float(INDIRECT_COARSE)), min(2.0, float(INDIRECT_FILTER)), float(INDIRECT_FILTER));
     float sum = 0.0;
     vec4 mean = vec4(0.0), nearest = vec4(0.0, 0.0, 0.0, 1.0);
-    for (int y = low.y; y <= high.y; y++)
-        for (int x = low.x; x <= high.x; x++) {
-            ivec2 source = middle + ivec2(x, y);
-            if (any(lessThan(source, ivec2(0))) || any(greaterThanEqual(source, size))) continue;
-            ivec2 shown = indirectPixel(source);
-            vec2 apart = abs(vec2(shown - pixel)) / float(INDIRECT_COARSE);
-            vec2 share = clamp(reach + 0.5 - apart, vec2(0.0), vec2(1.0));
-            if (INDIRECT_COARSE > 1) share = clamp(max(reach, 0.5) + 0.5 - apart, vec2(0.0), vec2(1.0));
-            vec4 value = texelFetch(smooth_source, source, 0);
-            float weight = share.x * share.y * smoothWeight(from, shown, float(INDIRECT_COARSE) * (apart.x + apart.y));
-            if (ivec2(x, y) == ivec2(0)) nearest = value;
-            mean += weight * value;
-            sum += weight;
-        }
+    for (int i = 0; i < count.x * count.y; i++) {
+        ivec2 beside = low + ivec2(i % count.x, i / count.x), source = middle + beside;
+        if (any(lessThan(source, ivec2(0))) || any(greaterThanEqual(source, size))) continue;
+        ivec2 shown = indirectPixel(source);
+        vec2 apart = abs(vec2(shown - pixel)) / float(INDIRECT_COARSE);
+        vec2 share = clamp(reach + 0.5 - apart, vec2(0.0), vec2(1.0));
+        if (INDIRECT_COARSE > 1) share = clamp(max(reach, 0.5) + 0.5 - apart, vec2(0.0), vec2(1.0));
+        vec4 value = texelFetch(smooth_source, source, 0);
+        float weight = share.x * share.y * smoothWeight(from, shown, float(INDIRECT_COARSE) * (apart.x + apart.y));
+        if (beside == ivec2(0)) nearest = value;
+        mean += weight * value;
+        sum += weight;
+    }
     return sum > 1e-3 ? mean / sum : nearest;
 }
 #endif

@@ -2,13 +2,15 @@
 //
 // A surface that is half in a voxel may have its nodes in the next one along the ray: both are asked. A node counts by the area of it that the ray sees: what parallel rays along
 // three axes see of a surface is as dense as the sum of its normal's lanes, and the ray sees as much of it as the cosine to its normal. It counts only if it is seen from its
-// front, and if the ray begins before its plane: so no wall is too thin to keep light of its other side from its own.
+// front, and if the ray's point lies before its plane: so no wall is too thin to keep light of its other side from its own.
 uniform usamplerBuffer radiance_faces;
 uniform samplerBuffer radiance_kept;
 uniform int radiance_size, radiance_shift; // voxels along an edge: 2^shift of the map are one
 
 struct RadianceRay {
-    vec3 from, way; // the point from which it is sent, in voxels; of length 1
+    vec3 point, start, way; // all in the map's units: the surface's point that sends it; where it begins, a little off; of any length
+    float t;                // where it meets a full voxel, in multiples of its way; less than 0: nowhere
+    bool full;              // it begins in a full voxel, as in a corner; voxelRay has gone on to the first empty one, which may lie behind a thin wall
 };
 
 struct RadianceSum {
@@ -24,53 +26,57 @@ vec3 radianceNormal(float packed_)
     return n; // |x| + |y| + |z| is 1
 }
 
-// Adds the nodes of a voxel, but for those that lie within a body.
-void radianceAdd(ivec3 at, RadianceRay ray, inout RadianceSum sum)
+// The first node of a voxel and, in the lowest 6 bits, its sides; 0: it has none.
+uint radianceWord(ivec3 at)
 {
-    if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, ivec3(radiance_size)))) return;
-    uint word = texelFetch(radiance_faces, RADIANCE_HEAD + (at.z * radiance_size + at.y) * radiance_size + at.x).x;
-    int node = int(word >> 6) * RADIANCE_TEXELS;
-    for (uint sides = word & 63u; sides != 0u; sides &= sides - 1u, node += RADIANCE_TEXELS) {
-        vec4 first = texelFetch(radiance_kept, node);
-        vec3 normal = radianceNormal(first.w);
-        float share = -dot(normal, ray.way);
-        if (first.w < 0.0 || share <= 0.0) continue;
-        vec4 second = texelFetch(radiance_kept, node + 1);
-        if (dot(normal, ray.from) * inversesqrt(dot(normal, normal)) <= second.w) continue;
-        sum.direct += share * first.xyz;
-        sum.further += share * second.xyz;
-        sum.weight += share;
-    }
+    if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, ivec3(radiance_size)))) return 0u;
+    return texelFetch(radiance_faces, RADIANCE_HEAD + (at.z * radiance_size + at.y) * radiance_size + at.x).x;
 }
 
-// At a place on the side of a full voxel through which the ray comes in. Where nodes are coarser than the map, their rays may have missed what is there: then voxels around are asked.
-RadianceSum radianceMet(vec3 place, RadianceRay ray)
+// Adds a node seen along `way`, of length 1, if it is seen from its front, `point` lies before it, and it does not lie within a body.
+void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
+{
+    vec4 first = texelFetch(radiance_kept, node);
+    vec3 normal = radianceNormal(first.w);
+    float share = -dot(normal, way);
+    vec4 second = texelFetch(radiance_kept, node + 1);
+    if (first.w < 0.0 || share <= 0.0 || dot(normal, point) * inversesqrt(dot(normal, normal)) <= second.w) return;
+    sum.direct += share * first.xyz;
+#if RADIANCE_TEXELS > 2
+    sum.further += share * second.xyz;
+#endif
+    sum.weight += share;
+}
+
+// What a ray's end sends. Where it begins in a full voxel and meets a surface there, another than its own, as in a corner, it ends there: t is 0. Where nodes are coarser than the
+// map, their rays may have missed what is at the end: then voxels around are asked.
+RadianceSum radianceEnd(inout RadianceRay ray)
 {
     const float beside = 0.01;
-    vec3 step_ = beside * ray.way / max(max(abs(ray.way.x), abs(ray.way.y)), abs(ray.way.z));
+    const uint sides = 63u;
+    float scale = 1.0 / float(1 << radiance_shift);
+    vec3 place = scale * (ray.start + max(ray.t, 0.0) * ray.way), point = scale * ray.point, way = normalize(ray.way);
+    vec3 step_ = beside * way / max(max(abs(way.x), abs(way.y)), abs(way.z));
     ivec3 at = ivec3(floor(place + step_)), before = ivec3(floor(place - step_));
-    RadianceSum sum = RadianceSum(vec3(0.0), vec3(0.0), 0.0);
-    radianceAdd(at, ray, sum);
-    if (before != at) radianceAdd(before, ray, sum);
-    if (radiance_shift == 0 || sum.weight > 0.0) return sum;
-    for (int k = 0; k < 27; k++) radianceAdd(at + ivec3(k % 3, k / 3 % 3, k / 9) - 1, ray, sum);
+    RadianceSum sum = RadianceSum(vec3(0.0), vec3(0.0), 0.0), begun = sum;
+    uint word = ray.full ? radianceWord(ivec3(floor(scale * ray.start))) : 0u, left = word & sides;
+    int node = int(word >> 6), around = 0;
+    for (; left != 0u; left &= left - 1u, node++) radianceAdd(node * RADIANCE_TEXELS, point, way, begun);
+    if (begun.weight > 0.0) {
+        ray.t = 0.0;
+        return begun;
+    }
+    if (ray.t < 0.0) return sum;
+    do {
+        uvec2 words = uvec2(radianceWord(around == 0 ? at : at + ivec3((around - 1) % 3, (around - 1) / 3 % 3, (around - 1) / 9) - 1), 0u);
+        if (around == 0 && before != at) words.y = radianceWord(before);
+        ivec2 nodes = ivec2(words >> 6u);
+        for (uint left = (words.x & sides) | (words.y & sides) << 6; left != 0u; left &= left - 1u) {
+            bool second = (left & sides) == 0u;
+            radianceAdd((second ? nodes.y : nodes.x) * RADIANCE_TEXELS, point, way, sum);
+            nodes += ivec2(!second, second);
+        }
+        around++;
+    } while (radiance_shift > 0 && sum.weight <= 0.0 && around <= 27);
     return sum;
-}
-
-// A ray of a surface's point begins at `start`, a little off it, and meets a full voxel at t times its way: all in the map's units. The point says which planes are seen, as in
-// corners of thin walls the start may be beyond one.
-RadianceSum radianceAlong(vec3 point, vec3 start, vec3 way, float t)
-{
-    float scale = 1.0 / float(1 << radiance_shift);
-    return radianceMet(scale * (start + t * way), RadianceRay(scale * point, normalize(way)));
-}
-
-// Whether a ray that begins in a full voxel meets a surface there: another one than its own, as in a corner. voxelRay would go on to the first empty voxel, and through a thin wall.
-bool radianceBegins(vec3 point, vec3 start, vec3 way)
-{
-    if (!voxelAt(start)) return false;
-    float scale = 1.0 / float(1 << radiance_shift);
-    RadianceSum sum = RadianceSum(vec3(0.0), vec3(0.0), 0.0);
-    radianceAdd(ivec3(scale * start), RadianceRay(scale * point, normalize(way)), sum);
-    return sum.weight > 0.0;
 }

@@ -31,10 +31,11 @@ void main()
     vec3 start = voxelStart(place, normal);
     uint seed = radiance_nodes[number * LISTS_STRIDE] & RADIANCE_PLACE; // numbers of nodes are others each time
     for (int i = 0; i < RADIANCE_RAYS && even != vec3(0.0); i++) {
-        float t = 0.0;
+        float t;
         vec3 way = bounceDirection(i, seed, normal);
-        if (!radianceBegins(place, start, way) && !voxelRay(start, way, bounce_far, t)) continue;
-        RadianceSum met = radianceAlong(place, start, way, t);
+        bool full = voxelRay(start, way, bounce_far, t);
+        RadianceRay ray = RadianceRay(place, start, way, full ? t : -1.0, voxelAt(start));
+        RadianceSum met = radianceEnd(ray);
         sum += (met.direct + met.further) / max(met.weight, 1e-6);
     }
     radiance_texels[first + 3u] = vec4(even * sum / float(RADIANCE_RAYS), 0.0);

@@ -12,7 +12,11 @@
 #define VOXEL_EXACT
 #endif
 uniform usamplerBuffer voxel_words; // of all levels, the lowest first: texels of a level as the map has them, four words each
-uniform int voxel_size;             // voxels along an edge: a power of two
+#ifdef VOXEL_SIZE
+const int voxel_size = VOXEL_SIZE;
+#else
+uniform int voxel_size; // voxels along an edge: a power of two
+#endif
 uniform mat4 voxel_from_eye;        // the grid's units from the eye's space
 uniform float voxel_off;            // how far off a surface rays begin, in widths of a voxel
 

@@ -1,0 +1,130 @@
+/* Rows of goals: a scene each, drawn by several keys. */
+#include "tests/frame/indirect_goals.h"
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/indirect_truth.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EDGE = 512, TEXT = 4096, FRAMES = 5 };
+
+/* Of llvmpipe on two cores, which takes as many milliseconds for the thesis' march of openness: times are told as shares of that. */
+static const double march_milliseconds = 1700;
+
+typedef struct {
+    const char *name, *view;
+    double radius;
+    int across;               /* rays of a place, and across */
+    double off, milliseconds; /* at most */
+} Goal;
+
+static const Goal goals[] = {{"openness, box", "open", .5, 64, .010, 250},
+                             {"openness, bunny", "open", .75, 64, .010, 250},
+                             {"light, box", "indirect", 4, 40, .03, 500}};
+static const char *const usual[] = {"rays: 8", "method: voxels"};
+
+static bool is_light(const Goal *goal) { return !strcmp(goal->view, "indirect"); }
+
+/* Passes over all pixels that a frame takes because of indirect light; what is made once for a scene is not among them. */
+static double pass_time(Render *render)
+{
+    static const char *const passes[] = {"rays", "history", "smooth", "spread"};
+    double least = INFINITY;
+    for (int i = 0; i < FRAMES; i++) {
+        RenderPassTime times[RENDER_PASSES_MOST];
+        double sum = 0;
+        for (int count = render_time_passes(render, times), k = 0; k < count; k++)
+            for (size_t pass = 0; pass < sizeof passes / sizeof *passes; pass++)
+                if (!strcmp(times[k].name, passes[pass]))
+                    sum += times[k].seconds;
+        least = fmin(least, sum);
+    }
+    return 1e3 * least;
+}
+
+static void put_scene(const IndirectGoals *g, const Goal *goal, const char *keys, char text[TEXT])
+{
+    char body[TEXT / 2];
+    snprintf(body, sizeof body,
+             "camera: { camera: Perspective, position: [.6, -4.6, 2.6], target: [0, 0, .7], angle: 40 }\n"
+             "materials: { m: { material: Phong, diffuse: .6 } }\nobjects:\n"
+             "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
+             "- { object: Mesh, file: %s, material: m, transform: { rotation: [1.5707963, 0, 0], translation: [0, 0, "
+             "%s] } }\n",
+             g->mesh ? g->mesh : "", g->lift);
+    snprintf(text, TEXT, "image: { width: %d, height: %d }\nindirect: { radius: %g, bounces: %d, %s }\n%s", EDGE, EDGE,
+             goal->radius, is_light(goal), keys, strstr(goal->name, "bunny") ? body : indirect_truth_box);
+}
+
+typedef struct {
+    const IndirectGoals *goals;
+    const Goal *goal;
+    GlContext *gl;
+    MatcOptions options;
+    IndirectTruth *truth;
+} Row;
+
+static double time_march(const Row *row)
+{
+    char text[TEXT];
+    MatcDocument *document;
+    put_scene(row->goals, row->goal, "method: march, rays: 32, steps: 32, filter: none", text);
+    Scene *scene = frame_scene(text, &row->options, &document);
+    Render *render = render_open(row->gl, &(RenderOptions){.compile = &row->options, .view = "open"});
+    free(frame_floats_by(row->gl, render, scene));
+    const double time = pass_time(render);
+    render_close(render);
+    frame_forget(scene, document);
+    return time;
+}
+
+/* False: it is farther off than it may be, or slower. */
+static bool put_row(Row *row, const char *keys, double march)
+{
+    char text[TEXT], time[32] = "";
+    MatcDocument *document;
+    const Goal *goal = row->goal;
+    put_scene(row->goals, goal, keys, text);
+    Scene *scene = frame_scene(text, &row->options, &document);
+    if (!row->truth->count)
+        indirect_truth_find(scene, &(OpenRays){.across = goal->across, .radius = goal->radius, .bounces = 1},
+                            is_light(goal) ? &row->options : NULL, row->truth);
+    Render *render = render_open(row->gl, &(RenderOptions){.compile = &row->options, .view = goal->view});
+    float *rgba = frame_floats_by(row->gl, render, scene);
+    const double off = indirect_truth_off(row->truth, rgba, is_light(goal)), share = pass_time(render) / march;
+    if (row->goals->timed)
+        snprintf(time, sizeof time, "%.3f", share);
+    const bool exact = off <= goal->off + 5e-4, fast = share * march_milliseconds <= goal->milliseconds;
+    printf("| %s | `%s` | %.4f | %.3f, %s | %s | %.3f%s |\n", goal->name, keys, off, goal->off,
+           exact ? "reached" : "missed", time, goal->milliseconds / march_milliseconds,
+           !row->goals->timed ? ""
+           : fast             ? ", reached"
+                              : ", missed");
+    fflush(stdout);
+    render_close(render);
+    free(rgba);
+    frame_forget(scene, document);
+    return exact && fast;
+}
+
+bool indirect_goals_print(const IndirectGoals *g)
+{
+    Row row = {.goals = g, .options = frame_exact_options(), .gl = frame_context(), .truth = malloc(sizeof *row.truth)};
+    row.goal = &goals[0];
+    const double march = g->timed ? time_march(&row) : INFINITY;
+    const int count = g->key_count ? g->key_count : (int)(sizeof usual / sizeof *usual);
+    bool fine = row.truth != NULL;
+    printf("| | keys | off | at most | of the march's time | at most |\n| --- | --- | --- | --- | --- | --- |\n");
+    for (size_t i = 0; row.truth && i < sizeof goals / sizeof *goals; i++) {
+        row.goal = &goals[i];
+        row.truth->count = 0;
+        if (strstr(goals[i].name, "bunny") && !g->mesh)
+            continue;
+        for (int k = 0; k < count; k++)
+            fine = put_row(&row, g->key_count ? g->keys[k] : usual[k], march) && fine;
+    }
+    free(row.truth);
+    gl_close(row.gl);
+    return fine;
+}

@@ -1,0 +1,16 @@
+/* What openness and light from other surfaces are to reach, as rows: how far they are off many rays in double, what their passes take, and what the march of the thesis takes in the
+ * same run. */
+#ifndef MATC_INDIRECT_GOALS_H
+#define MATC_INDIRECT_GOALS_H
+#include <stdbool.h>
+
+typedef struct {
+    const char *mesh, *lift; /* a bunny's file, y up, and how far it is above the ground; NULL: rows of the box alone */
+    const char *const *keys; /* of rows, instead of the goals' own */
+    int key_count;
+    bool timed;
+} IndirectGoals;
+
+/* Prints them. False: a goal is missed. */
+bool indirect_goals_print(const IndirectGoals *goals);
+#endif
