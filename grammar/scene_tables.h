@@ -20,7 +20,7 @@ enum {
 #include "scene.def"
     SCENE_PARAM_COUNT
 };
-enum { SCENE_KIND_PARAMS = 24 }; /* of a kind, at most */
+enum { SCENE_KIND_PARAMS = 32 }; /* of a kind, at most */
 typedef enum {
     SCENE_VALUE_plain,    /* numbers, truth values and transformations: as `param` says */
     SCENE_VALUE_material, /* one */

@@ -314,6 +314,7 @@ void frame_draw(Render *render)
     for (int i = 0; i < PASS_COUNT_HERE; i++)
         if (render->plan.runs >> i & 1)
             frame_passes[i].draw(render);
+    render->indirect.moving.on = false;
 }
 
 void frame_delete(Render *render)

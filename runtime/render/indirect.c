@@ -35,7 +35,8 @@ bool indirect_is_smoothed(const Render *render)
     const SceneIndirect *in = &render->scene->indirect;
     const bool filtered = in->filter != WORD_Filter_none;
     return indirect_is(render) && !indirect_shows(render, "visibility") &&
-           (in->coarse > 1 || indirect_is_repeated(render) || filtered || indirect_keeps(render));
+           (in->coarse > 1 || indirect_is_repeated(render) || filtered || indirect_keeps(render) ||
+            indirect_moving(render));
 }
 
 bool indirect_reads_radiance(const Render *render)
@@ -55,6 +56,15 @@ int indirect_coarse(const Render *render)
 {
     return indirect_is(render) && !indirect_shows(render, "visibility") ? render->scene->indirect.coarse : 1;
 }
+
+int indirect_moving(const Render *render)
+{
+    const SceneIndirect *in = &render->scene->indirect;
+    const bool fewer = indirect_is(render) && in->moving > in->coarse;
+    return fewer && !in->history && !indirect_shows(render, "visibility") ? in->moving : 0;
+}
+
+bool indirect_moves(const Render *render) { return render->indirect.moving.on && indirect_moving(render); }
 
 int indirect_view_lanes(const char *view)
 {
@@ -118,7 +128,11 @@ void indirect_forget(Render *render)
     history->sets = 0;
 }
 
-void indirect_doubt(Render *render, unsigned doubts) { render->indirect.history.doubts |= doubts; }
+void indirect_doubt(Render *render, unsigned doubts)
+{
+    render->indirect.history.doubts |= doubts;
+    render->indirect.moving.on = true;
+}
 
 static void delete_history(Render *render)
 {
@@ -132,12 +146,25 @@ static void delete_history(Render *render)
     *history = (IndirectHistory){.last = 0};
 }
 
+static void delete_moving(Render *render)
+{
+    IndirectMoving *moving = &render->indirect.moving;
+    ScreenPass *const passes[] = {&moving->rays, &moving->again, &moving->smooth, &moving->spread};
+    for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
+        screen_pass_delete(passes[i]);
+    framebuffer_delete(render->gl, &moving->found);
+    framebuffer_delete(render->gl, &moving->smoothed);
+    *moving = (IndirectMoving){.on = false};
+}
+
 void indirect_delete(Render *render)
 {
     delete_history(render);
+    delete_moving(render);
     screen_pass_delete(&render->indirect.rays);
     screen_pass_delete(&render->indirect.again);
     screen_pass_delete(&render->indirect.smooth);
     screen_pass_delete(&render->indirect.spread);
     screen_pass_delete(&render->indirect.combine);
+    framebuffer_delete(render->gl, &render->indirect.between);
 }

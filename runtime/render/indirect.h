@@ -26,9 +26,18 @@ typedef struct {
 /* What may be other than when it was kept: light from other surfaces; openness, wherever it is. Beside objects that moved it may be as well. */
 typedef enum { INDIRECT_DOUBT_light = 1, INDIRECT_DOUBT_openness = 2 } IndirectDoubt;
 
+/* Passes of fewer pixels, while something moves, in a part of the same targets. */
+typedef struct {
+    bool on; /* something is another than in the frame before */
+    ScreenPass rays, again, smooth, spread;
+    Framebuffer found, smoothed; /* the targets rays and smooth */
+} IndirectMoving;
+
 /* Of the passes. */
 typedef struct {
     IndirectHistory history;
+    IndirectMoving moving;
+    Framebuffer between; /* of levels of the filter atrous: the target open, or a part of it */
     IndirectMotion motion;
     ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
 } FrameIndirect;
@@ -51,8 +60,12 @@ bool indirect_reads_voxels(const Render *render);
 bool indirect_reads_radiance(const Render *render);
 /* Of a pixel for which rays go out, in those of the picture. */
 int indirect_coarse(const Render *render);
-/* To how many pixels on each side what rays find is smoothed, at most; 0: it is not. */
-int indirect_filter_size(const Render *render);
+/* The same while something moves, if that is more; else 0. */
+int indirect_moving(const Render *render);
+/* This frame's is that. */
+bool indirect_moves(const Render *render);
+/* To how many of these on each side what rays find is smoothed, at most; 0: it is not. */
+int indirect_filter_size(const Render *render, int coarse);
 /* How far rays go, in the world's units. */
 double indirect_radius(const Scene *scene, const Cache *cache);
 
@@ -76,7 +89,7 @@ void pass_history_draw(Render *render);
 GLuint indirect_kept(const Render *render);
 /* Something has changed: what is kept holds where the same is seen, if frames before are to count; else none of it. */
 void indirect_forget(Render *render);
-/* What is kept holds the less: a sum of IndirectDoubt. */
+/* Something is another than in the frame before. What is kept holds the less: a sum of IndirectDoubt. */
 void indirect_doubt(Render *render, unsigned doubts);
 bool pass_smooth_needed(const Render *render);
 /* What a pass of that drawing fills and reads as the scene has it: rays the target open, where nothing is smoothed; spread what rays read, for further bounces. */
@@ -87,7 +100,7 @@ bool pass_spread_make(Render *render);
 void pass_spread_draw(Render *render);
 /* A pass of indirect_place.glsl: its texts' first pieces, and what it reads. indirect_pass.c */
 enum { INDIRECT_DEFINITIONS = 768, INDIRECT_DEPTH_UNIT = FRAMEBUFFER_COLORS, INDIRECT_FREE_UNIT };
-void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS]);
+void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINITIONS]);
 const char *indirect_surface_text(const Render *render);
 void indirect_set(const Render *render, ScreenPass *pass);
 void indirect_bind(const Render *render);

@@ -32,7 +32,7 @@ static int shifts_of(const IndirectSequence *of)
     return of->rotation == WORD_Rotation_blue ? SHIFTS_MOST : edge * edge;
 }
 
-void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
+void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINITIONS])
 {
     const SceneIndirect *in = &render->scene->indirect;
     const bool uniform = in->distribution == WORD_Distribution_uniform, bent = indirect_shows(render, "bent");
@@ -52,7 +52,7 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
                        : STEPS,
              indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence), shifts_of(&sequence),
              (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
-             indirect_coarse(render), indirect_filter_size(render),
+             coarse, indirect_filter_size(render, coarse),
              turns_bits(&sequence) ? "#define INDIRECT_TURNS_BITS\n" : "",
              indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
              uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
@@ -63,7 +63,7 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
              bent ? "#define INDIRECT_BENT\n" : "", voxels);
 }
 
-int indirect_filter_size(const Render *render)
+int indirect_filter_size(const Render *render, int coarse)
 {
     const int widest = 8; /* pixels of the picture */
     const SceneIndirect *in = &render->scene->indirect;
@@ -72,7 +72,7 @@ int indirect_filter_size(const Render *render)
     if (in->filter == WORD_Filter_none || in->filter_size)
         return in->filter == WORD_Filter_none ? 0 : in->filter_size;
     const int tile = edge && edge < INDIRECT_SEQUENCE_TILE ? edge / 2 : INDIRECT_SEQUENCE_TILE / 2;
-    return tile * in->coarse > widest ? widest / in->coarse : tile;
+    return tile * coarse > widest ? widest / coarse : tile;
 }
 
 const char *indirect_surface_text(const Render *render)

@@ -28,7 +28,7 @@ static bool make_target(Render *render, Framebuffer *made)
 static bool make_pass(Render *render, bool place, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], counts[COUNTS];
-    indirect_define(render, defined);
+    indirect_define(render, indirect_coarse(render), defined);
     snprintf(counts, sizeof counts, "#define HISTORY_BOXES %d\n#define HISTORY_MOTIONS %d\n", INDIRECT_BOXES_MOST,
              INDIRECT_MOTIONS_MOST);
     const ScreenPassText text = {.body = {indirect_surface_text(render), defined,
@@ -169,7 +169,7 @@ void pass_history_draw(Render *render)
     const SceneIndirect *in = &render->scene->indirect;
     const size_t pixels = (size_t)history->values[0].spec.width * (size_t)history->values[0].spec.height;
     float *means[2] = {NULL, NULL};
-    if (indirect_is_done(render))
+    if (indirect_is_done(render) || indirect_moves(render))
         return;
     if (in->error > 0)
         for (int i = 0; i < 2; i++)

@@ -14,11 +14,13 @@ bool pass_rays_needed(const Render *render) { return indirect_is(render); }
 void pass_rays_place(Render *render)
 {
     indirect_forget(render);
-    ScreenPass *passes[] = {&render->indirect.rays,   &render->indirect.again,         &render->indirect.smooth,
-                            &render->indirect.spread, &render->indirect.history.blend, &render->indirect.history.place};
+    FrameIndirect *in = &render->indirect;
+    enum { RAYS = 4 }; /* of them go through voxels */
+    ScreenPass *passes[] = {&in->rays,          &in->again,         &in->moving.rays,   &in->moving.again,  &in->smooth, &in->spread,
+                            &in->moving.smooth, &in->moving.spread, &in->history.blend, &in->history.place};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         indirect_set(render, passes[i]);
-    for (size_t i = 0; i < 2 && indirect_reads_voxels(render); i++)
+    for (size_t i = 0; i < RAYS && indirect_reads_voxels(render); i++)
         if (passes[i]->material.store) {
             pass_voxels_set(render, VOXEL_UNIT, passes[i]);
             radiance_set(render, RADIANCE_UNIT, passes[i]);
@@ -26,7 +28,7 @@ void pass_rays_place(Render *render)
         }
 }
 
-static bool make(Render *render, bool again, ScreenPass *pass)
+static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS], planes[INDIRECT_PLANES_DEFINITION];
     const bool kept = radiance_needed(render);
@@ -34,7 +36,7 @@ static bool make(Render *render, bool again, ScreenPass *pass)
                seen = indirect_shows(render, "visibility"),
                points = !seen && indirect_method(render) == WORD_Indirect_points,
                mask = !seen && indirect_method(render) == WORD_Indirect_screen;
-    indirect_define(render, defined);
+    indirect_define(render, coarse, defined);
     radiance_define(render, cached);
     indirect_planes_define(render, planes);
     const SurfaceModel none = {.text = ""}, *of = again ? render->surface : &none;
@@ -78,8 +80,12 @@ static bool make(Render *render, bool again, ScreenPass *pass)
 
 bool pass_rays_make(Render *render)
 {
-    const bool done = make(render, false, &render->indirect.rays) &&
-                      (!indirect_is_repeated(render) || make(render, true, &render->indirect.again));
+    FrameIndirect *in = &render->indirect;
+    const bool again = indirect_is_repeated(render);
+    const int coarse = indirect_coarse(render), moving = indirect_moving(render);
+    const bool done = make(render, false, coarse, &in->rays) && (!again || make(render, true, coarse, &in->again)) &&
+                      (!moving || make(render, false, moving, &in->moving.rays)) &&
+                      (!moving || !again || make(render, true, moving, &in->moving.again));
     pass_rays_place(render);
     return done;
 }
@@ -94,12 +100,17 @@ static void run(Render *render, ScreenPass *pass)
         pass_voxels_bind(render, VOXEL_UNIT);
     if (radiance_needed(render))
         radiance_bind(render, RADIANCE_UNIT);
-    screen_pass_run(pass, &render->draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open], &render->screen);
+    const Framebuffer *target = &render->draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
+    screen_pass_run(pass, indirect_moves(render) ? &render->indirect.moving.found : target, &render->screen);
 }
 
 void pass_rays_draw(Render *render)
 {
     const unsigned most = 4096; /* sets that differ: what they are shifted by is a float */
+    if (indirect_moves(render)) {
+        run(render, &render->indirect.moving.rays);
+        return;
+    }
     if (indirect_is_done(render))
         return;
     if (indirect_keeps(render))
@@ -111,5 +122,5 @@ void pass_rays_draw(Render *render)
 void pass_rays_draw_again(Render *render)
 {
     texture_bind(render->gl, frame_texture(render, FRAME_TARGET_open, 0), BEFORE_UNIT);
-    run(render, &render->indirect.again);
+    run(render, indirect_moves(render) ? &render->indirect.moving.again : &render->indirect.again);
 }

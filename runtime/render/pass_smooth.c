@@ -6,29 +6,33 @@ extern const char render_text_indirect_place[], render_text_pass_smooth[];
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 
-/* The filter `atrous` goes to and fro between the targets smooth and open, an even number of times. */
+/* The filter `atrous` goes to and fro between the targets smooth and open, or a part of that, and ends in open where rays go out for all pixels: after an even number of levels; else in smooth, which
+ * is then spread. */
 static bool is_atrous(const Render *render)
 {
-    return render->scene->indirect.filter == WORD_Filter_atrous && indirect_coarse(render) == 1;
+    return render->scene->indirect.filter == WORD_Filter_atrous && !indirect_moves(render);
 }
 
-/* Two levels reach 6 pixels, four 30. */
+static bool is_spread(const Render *render) { return !is_atrous(render) || indirect_coarse(render) > 1; }
+
+/* Two levels reach 6 pixels, four 30; of wider ones one reaches 2, three 14. */
 static int atrous_levels(const Render *render)
 {
-    const int narrow = 6;
-    return render->scene->indirect.filter_size > narrow ? 4 : 2;
+    const int narrow = 6, odd = indirect_coarse(render) > 1;
+    return (render->scene->indirect.filter_size > narrow ? 4 : 2) - odd;
 }
 
 bool pass_smooth_needed(const Render *render) { return indirect_is_smoothed(render); }
 
-static bool make(Render *render, bool spread, ScreenPass *pass)
+static bool make(Render *render, bool spread, int coarse, ScreenPass *pass)
 {
+    const bool atrous = is_atrous(render) && coarse == indirect_coarse(render);
     char defined[INDIRECT_DEFINITIONS];
-    indirect_define(render, defined);
+    indirect_define(render, coarse, defined);
     const ScreenPassText text = {.body = {indirect_surface_text(render), defined,
-                                          is_atrous(render) ? "#define SMOOTH_ATROUS\n"
-                                          : spread          ? "#define SMOOTH_SPREAD\n"
-                                                            : "",
+                                          atrous && !spread ? "#define SMOOTH_ATROUS\n" : "",
+                                          spread ? "#define SMOOTH_SPREAD\n" : "",
+                                          atrous && spread ? "#undef INDIRECT_FILTER\n#define INDIRECT_FILTER 0\n" : "",
                                           render_text_indirect_place, render_text_pass_smooth},
                                  .format = frame_format(render, FRAME_TARGET_open, 0),
                                  .compute = render->compute};
@@ -40,22 +44,47 @@ static bool make(Render *render, bool spread, ScreenPass *pass)
     return true;
 }
 
-bool pass_smooth_make(Render *render) { return make(render, false, &render->indirect.smooth); }
-bool pass_spread_make(Render *render) { return is_atrous(render) || make(render, true, &render->indirect.spread); }
+/* The part of a target that wider pixels take. */
+static bool make_part(Render *render, FrameTarget target, int coarse, Framebuffer *made)
+{
+    const FramebufferSpec spec = {.width = (render->size[0] + coarse - 1) / coarse,
+                                  .height = (render->size[1] + coarse - 1) / coarse,
+                                  .color_count = 1};
+    const FramebufferTextures textures = {.colors = {frame_texture(render, target, 0)},
+                                          .formats = {frame_format(render, target, 0)}};
+    return framebuffer_make_around(render->gl, &spec, &textures, made);
+}
+
+bool pass_smooth_make(Render *render)
+{
+    IndirectMoving *moving = &render->indirect.moving;
+    const int coarse = indirect_moving(render);
+    return make(render, false, indirect_coarse(render), &render->indirect.smooth) &&
+           (!coarse || (make(render, false, coarse, &moving->smooth) && make(render, true, coarse, &moving->spread) &&
+                        make_part(render, FRAME_TARGET_rays, coarse, &moving->found) &&
+                        make_part(render, FRAME_TARGET_smooth, coarse, &moving->smoothed)));
+}
+
+bool pass_spread_make(Render *render)
+{
+    const int coarse = indirect_coarse(render);
+    return (!is_atrous(render) || make_part(render, FRAME_TARGET_open, coarse, &render->indirect.between)) &&
+           (!is_spread(render) || make(render, true, coarse, &render->indirect.spread));
+}
 
 /* What rays found. */
 static GLuint found(const Render *render)
 {
-    return indirect_keeps(render) ? indirect_kept(render) : frame_texture(render, FRAME_TARGET_rays, 0);
+    return indirect_keeps(render) && !indirect_moves(render) ? indirect_kept(render) : frame_texture(render, FRAME_TARGET_rays, 0);
 }
 
-static void run(Render *render, ScreenPass *pass, GLuint source, FrameDraw made)
+static void run(Render *render, ScreenPass *pass, GLuint source, const Framebuffer *made)
 {
     indirect_bind(render);
     texture_bind(render->gl, source, SOURCE_UNIT);
     if (is_atrous(render))
         texture_bind(render->gl, found(render), FOUND_UNIT);
-    screen_pass_run(pass, &render->draws[made], &render->screen);
+    screen_pass_run(pass, made, &render->screen);
 }
 
 static void draw_level(Render *render, int level)
@@ -64,23 +93,27 @@ static void draw_level(Render *render, int level)
     material_set_number(&pass->material, "smooth_level", (float)level);
     run(render, pass,
         level ? frame_texture(render, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_open, 0) : found(render),
-        level % 2 ? FRAME_DRAW_open : FRAME_DRAW_smooth);
+        level % 2 ? &render->indirect.between : &render->draws[FRAME_DRAW_smooth]);
 }
 
 void pass_smooth_draw(Render *render)
 {
+    IndirectMoving *moving = &render->indirect.moving;
     if (is_atrous(render))
         draw_level(render, 0);
+    else if (indirect_moves(render))
+        run(render, &moving->smooth, found(render), &moving->smoothed);
     else
-        run(render, &render->indirect.smooth, found(render), FRAME_DRAW_smooth);
+        run(render, &render->indirect.smooth, found(render), &render->draws[FRAME_DRAW_smooth]);
 }
 
 static void spread(Render *render)
 {
     for (int level = 1; is_atrous(render) && level < atrous_levels(render); level++)
         draw_level(render, level);
-    if (!is_atrous(render))
-        run(render, &render->indirect.spread, frame_texture(render, FRAME_TARGET_smooth, 0), FRAME_DRAW_open);
+    if (is_spread(render))
+        run(render, indirect_moves(render) ? &render->indirect.moving.spread : &render->indirect.spread,
+            frame_texture(render, FRAME_TARGET_smooth, 0), &render->draws[FRAME_DRAW_open]);
 }
 
 /* Then all three once more for each further bounce: light that surfaces send is then that of lights and of the bounces before. */

@@ -21,8 +21,11 @@ float smoothWeight(SmoothPlace from, ivec2 pixel, float away)
     return near * turned * turned;
 }
 
+// Of the part of the source that is filled.
+ivec2 smoothSize() { return (ivec2(indirect_picture.xy) + INDIRECT_COARSE - 1) / INDIRECT_COARSE; }
+
 #ifdef SMOOTH_ATROUS
-// A-trous ("with holes"): level i takes 5 x 5 pixels that are 2^i apart, by the B3 spline's weights, 1 4 6 4 1 over 16, so that a few levels of 25 reach as far as one of thousands. From level 1 on a pixel
+// A-trous ("with holes"), of pixels for which rays go out: level i takes 5 x 5 pixels that are 2^i apart, by the B3 spline's weights, 1 4 6 4 1 over 16, so that a few levels of 25 reach as far as one of thousands. From level 1 on a pixel
 // counts the less the more its value differs, in what its noise is: the deviation of what rays found in 3 x 3 pixels of the same surface, of which level 0 leaves the root of the sum of its squared weights, 70 / 256, and
 // each further one half. What differs by more is detail, not noise. On level 0 values differ by noise alone, and what is left out for that would make means darker. Light and openness go by themselves.
 //
@@ -35,14 +38,14 @@ const float SMOOTH_NOISE = 3.0; // deviations
 // Of light's mean lane, of openness.
 vec2 smoothLanes(vec4 value) { return vec2(dot(value.xyz, vec3(1.0 / 3.0)), value.w); }
 
-vec2 smoothNoise(SmoothPlace from, ivec2 pixel)
+vec2 smoothNoise(SmoothPlace from, ivec2 at)
 {
     vec2 sum = vec2(0.0), squares = vec2(0.0);
     float weights = 0.0;
     for (int y = -1; y <= 1; y++)
         for (int x = -1; x <= 1; x++) {
-            ivec2 beside = clamp(pixel + ivec2(x, y), ivec2(0), ivec2(indirect_picture.xy) - 1);
-            float weight = smoothWeight(from, beside, float(abs(x) + abs(y)));
+            ivec2 beside = clamp(at + ivec2(x, y), ivec2(0), smoothSize() - 1);
+            float weight = smoothWeight(from, indirectPixel(beside), float(INDIRECT_COARSE * (abs(x) + abs(y))));
             vec2 lanes = smoothLanes(texelFetch(smooth_rays, beside, 0));
             sum += weight * lanes;
             squares += weight * lanes * lanes;
@@ -53,23 +56,24 @@ vec2 smoothNoise(SmoothPlace from, ivec2 pixel)
     return left * sqrt(max(squares / max(weights, 1e-3) - mean * mean, vec2(0.0)));
 }
 
-vec4 passPixel(ivec2 pixel)
+vec4 passPixel(ivec2 at)
 {
     const float kernel[3] = float[3](0.375, 0.25, 0.0625);
+    ivec2 pixel = indirectPixel(at);
     float depth = texelFetch(indirect_depth, pixel, 0).x;
     if (depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
     vec3 point = indirectPoint(pixel, depth);
     SmoothPlace from = SmoothPlace(point, indirectNormal(pixel), indirectPixelSize(point));
-    vec4 middle = texelFetch(smooth_source, pixel, 0), mean = vec4(0.0);
+    vec4 middle = texelFetch(smooth_source, at, 0), mean = vec4(0.0);
     vec2 sum = vec2(0.0), noise = vec2(1.0);
-    if (smooth_level > 0.5) noise = SMOOTH_NOISE * smoothNoise(from, pixel) + 1e-4;
+    if (smooth_level > 0.5) noise = SMOOTH_NOISE * smoothNoise(from, at) + 1e-4;
     int apart = 1 << int(smooth_level);
     for (int y = -2; y <= 2; y++)
         for (int x = -2; x <= 2; x++) {
-            ivec2 beside = pixel + apart * ivec2(x, y);
-            if (any(lessThan(beside, ivec2(0))) || any(greaterThanEqual(beside, ivec2(indirect_picture.xy)))) continue;
+            ivec2 beside = at + apart * ivec2(x, y);
+            if (any(lessThan(beside, ivec2(0))) || any(greaterThanEqual(beside, smoothSize()))) continue;
             vec4 value = texelFetch(smooth_source, beside, 0);
-            float same = kernel[abs(x)] * kernel[abs(y)] * (x == 0 && y == 0 ? 1.0 : smoothWeight(from, beside, float(apart * (abs(x) + abs(y)))));
+            float same = kernel[abs(x)] * kernel[abs(y)] * (x == 0 && y == 0 ? 1.0 : smoothWeight(from, indirectPixel(beside), float(INDIRECT_COARSE * apart * (abs(x) + abs(y)))));
             vec2 weight = vec2(same);
             if (smooth_level > 0.5) weight *= exp(-abs(smoothLanes(value) - smoothLanes(middle)) / noise);
             mean += weight.xxxy * value;
@@ -92,7 +96,7 @@ vec4 passPixel(ivec2 at)
     if (depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
     vec3 point = indirectPoint(pixel, depth);
     SmoothPlace from = SmoothPlace(point, indirectNormal(pixel), indirectPixelSize(point));
-    ivec2 size = textureSize(smooth_source, 0);
+    ivec2 size = smoothSize();
     float reach = clamp(indirect_picture.w / (from.width * float(INDIRECT_COARSE)), min(2.0, float(INDIRECT_FILTER)), float(INDIRECT_FILTER));
     float sum = 0.0;
     vec4 mean = vec4(0.0), nearest = vec4(0.0, 0.0, 0.0, 1.0);

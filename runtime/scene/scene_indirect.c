@@ -27,6 +27,7 @@ void scene_indirect_read(SceneReader *r, Tree *tree)
                                          .filter = word_of(&thing, S_Indirect_filter),
                                          .filter_size = whole_of(&thing, S_Indirect_filterSize),
                                          .coarse = 1 << (word_of(&thing, S_Indirect_resolution) - WORD_Resolution_full),
+                                         .moving = 1 << (word_of(&thing, S_Indirect_moving) - WORD_Resolution_full),
                                          .contrast = scene_thing_number(&thing, S_Indirect_contrast),
                                          .weight = word_of(&thing, S_Indirect_weight),
                                          .distribution = word_of(&thing, S_Indirect_distribution),

@@ -27,6 +27,8 @@ static const char *const ways[] = {"samples: 16",
                                    "rays: 4",
                                    "rays: 4, history: 16",
                                    "rays: 2, history: 16",
+                                   "rays: 8, moving: half",
+                                   "rays: 8, moving: quarter",
                                    "rays: 8, filter: atrous",
                                    "rays: 8, filter: atrous, history: 16",
                                    "rays: 4, filter: atrous, history: 16"};

@@ -1,0 +1,161 @@
+/* `moving:` of indirect light: a frame in which something is another than before is what the coarser resolution gives; the next one, where nothing is, what the finer does. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 92, HEIGHT = 70, LANES = 4 * WIDTH * HEIGHT, TEXT = 2048 };
+
+static const char body[] =
+    "image: { width: 92, height: 70 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], target: [0, 0, .6], "
+    "angle: 40 }\nlights: [{ light: Point, position: [1, -2, 3], intensity: 9 }]\nmaterials: { m: { material: Phong, "
+    "diffuse: .6 } }\nobjects:\n"
+    "- { object: Box, material: m, size: [.6, .6, .9], transform: { translation: [.5, -.2, .45], rotation: [0, 0, .4] } "
+    "}\n- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
+    "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, .7, 1] } }\n";
+
+typedef struct {
+    MatcOptions options;
+    GlContext *gl;
+    MatcDocument *document;
+    Scene *scene;
+    Render *render;
+} Rig;
+
+static Rig open_rig(GlContext *gl, const char *keys, const char *view, bool fragment)
+{
+    Rig rig = {.gl = gl, .options = frame_exact_options()};
+    char text[TEXT];
+    snprintf(text, sizeof text, "indirect: { %s }\n%s", keys, body);
+    rig.scene = frame_scene(text, &rig.options, &rig.document);
+    rig.render = render_open(
+        gl, &(RenderOptions){.compile = &rig.options, .view = view, .deep = true, .fragment = fragment});
+    assert_true(rig.render && render_scene(rig.render, rig.scene) && render_frame(rig.render));
+    return rig;
+}
+
+static void close_rig(Rig *rig)
+{
+    render_close(rig->render);
+    frame_forget(rig->scene, rig->document);
+}
+
+typedef enum { CAMERA, OBJECT, LIGHTS, CHANGES } Change;
+
+static void move(Rig *rig, Change change)
+{
+    if (change == CAMERA)
+        rig->scene->camera.position[0] += .2;
+    if (change == OBJECT)
+        rig->scene->objects[0].world_from_local.m[12] -= .3;
+    if (change == LIGHTS)
+        rig->scene->lights[0].position[2] += .4;
+    assert_true(change == OBJECT ? render_changed_objects(rig->render, 0, 1)
+                                 : render_changed(rig->render, change == CAMERA ? RENDER_CAMERA : RENDER_LIGHTS));
+}
+
+static double difference(const float *a, const float *b)
+{
+    double most = 0;
+    for (int i = 0; i < LANES; i++)
+        most = fmax(most, fabs((double)a[i] - (double)b[i]));
+    return most;
+}
+
+/* Root of the mean square: of the first lane, openness; of three, light, over its mean. */
+static double off_by(const float *a, const float *b, int lanes)
+{
+    double sum = 0, mean = 0;
+    for (int i = 0; i < LANES; i++)
+        if (i % 4 < lanes) {
+            sum += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]) / (LANES / 4 * lanes);
+            mean += (double)b[i] / (LANES / 4 * lanes);
+        }
+    return sqrt(sum) / (lanes == 1 ? 1 : mean);
+}
+
+static void read(Rig *rig, float *rgba) { assert_true(render_frame(rig->render) && render_read(rig->render, rgba)); }
+
+static void coarse_while_it_moves_then_fine(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys, *fine, *moving, *view;
+        bool fragment;
+        double off;   /* at most, root of the mean square of what coarser frames differ by: of openness; light by few rays is bounded by its noise alone */
+        double exact; /* passes of means over one pixel round */
+    } cases[] = {{"rays: 16, radius: 1", "", "resolution: quarter", "open", false, .05, 0},
+                 {"rays: 16, radius: 1", "", "resolution: half", "open", false, .025, 0},
+                 {"rays: 16, method: march, bounces: 2", "resolution: half", "resolution: quarter", "indirect", false, 9, 0},
+                 {"rays: 8, method: screen, filter: none", "", "resolution: half", "indirect", true, 9, 1e-6}};
+    static float now[LANES], want[LANES], fine[LANES];
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char keys[3][TEXT / 8];
+        snprintf(keys[0], sizeof keys[0], "%s, %s%smoving: %s", cases[i].keys, cases[i].fine, *cases[i].fine ? ", " : "",
+                 strchr(cases[i].moving, ':') + 2);
+        snprintf(keys[1], sizeof keys[1], "%s, %s", cases[i].keys, cases[i].moving);
+        snprintf(keys[2], sizeof keys[2], "%s, %s", cases[i].keys, *cases[i].fine ? cases[i].fine : "resolution: full");
+        Rig rigs[3];
+        for (int k = 0; k < 3; k++)
+            rigs[k] = open_rig(gl, keys[k], cases[i].view, cases[i].fragment);
+        const int lanes = strcmp(cases[i].view, "open") ? 3 : 1;
+        for (int change = -1; change < CHANGES; change++) {
+            for (int k = 0; k < 3 && change >= 0; k++)
+                move(&rigs[k], (Change)change);
+            read(&rigs[0], now);
+            read(&rigs[1], want);
+            read(&rigs[2], fine);
+            const double off = off_by(now, fine, lanes);
+            if (change >= 0)
+                print_message("%s, change %d: the coarser frame is %.3f off the finer\n", keys[0], change, off);
+            assert_true(difference(now, change < 0 ? fine : want) <= cases[i].exact);
+            assert_true(change < 0 || (off > .001 && off < cases[i].off));
+            read(&rigs[0], now);
+            assert_true(difference(now, fine) <= cases[i].exact);
+        }
+        for (int k = 0; k < 3; k++)
+            close_rig(&rigs[k]);
+    }
+    gl_close(gl);
+}
+
+/* While it moves, one set of rays of fewer pixels; then sets go on until there are as many as are asked for. */
+static void samples_begin_when_it_stands_still(void **state)
+{
+    (void)state;
+    static float now[LANES], want[LANES];
+    GlContext *gl = frame_context();
+    Rig moving = open_rig(gl, "rays: 8, samples: 4, moving: quarter", "indirect", false),
+        still = open_rig(gl, "rays: 8, samples: 4", "indirect", false), coarse = open_rig(gl, "rays: 8, resolution: quarter", "indirect", false);
+    for (int i = 0; i < 2; i++) {
+        move(&moving, CAMERA);
+        move(&still, CAMERA);
+        move(&coarse, CAMERA);
+        read(&moving, now);
+        read(&coarse, want);
+        assert_true(off_by(now, want, 3) < .3); /* another set of rays */
+    }
+    read(&moving, now);
+    read(&still, want);
+    print_message("of as many samples: %.3f of the mean of light between the one that moved and one that did not\n",
+                  off_by(now, want, 3));
+    assert_true(off_by(now, want, 3) < .05);
+    close_rig(&moving);
+    close_rig(&still);
+    close_rig(&coarse);
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(coarse_while_it_moves_then_fine),
+                                       cmocka_unit_test(samples_begin_when_it_stands_still)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
