@@ -12,6 +12,8 @@
 #define VALUE_Shadows         PLAIN(Shadows)
 #define VALUE_Volume          PLAIN(Volume)
 #define VALUE_Displacing      PLAIN(Displacing)
+#define VALUE_Skirts          PLAIN(Skirts)
+#define VALUE_Symbol          PLAIN(Symbol)
 #define VALUE_Path            PLAIN(Path)
 #define VALUE_Indirect        PLAIN(Indirect)
 #define VALUE_Weight          PLAIN(Weight)

@@ -47,7 +47,9 @@ static bool make_displaced(Store *store, const CacheSource *source, Cache *cache
     if (!mesh_make_captured(gl, &cache->meshes[mesh]))
         return false;
     const ShapeBody body = shape_body(&from->shape);
-    cache->meshes[mesh].body = body == SHAPE_BODY_solid ? SHAPE_BODY_closed : body;
+    cache->meshes[mesh].body = from->patches->torn        ? SHAPE_BODY_none
+                               : body == SHAPE_BODY_solid ? SHAPE_BODY_closed
+                                                          : body;
     cache->boxes[mesh] = box_of_patches(from);
     cache->mesh_count++;
     if (!displaced_make(store, source->scene, source->compile, number, &cache->displaced[mesh]))

@@ -18,12 +18,27 @@ uvec4 displaceParts(uint drawn)
     return uvec4(drawn, drawn >> 8, drawn >> 16, drawn >> 24) & 255u;
 }
 
-#ifdef DISPLACE_POINT
-precise out vec3 displaced_position;
-out vec3 displaced_normal;
-out vec2 displaced_texcoord;
-out vec3 displaced_tangentU, displaced_tangentV;
-precise out vec3 displaced_base;
+// Weights of a point of so many in rows, row i of which has i + 1; their sum is `parts`.
+ivec3 displaceRow(int point, int parts)
+{
+    int row = int((sqrt(float(8 * point + 1)) - 1.0) / 2.0);
+    row += int((row + 1) * (row + 2) / 2 <= point) - int(row * (row + 1) / 2 > point);
+    int i = point - row * (row + 1) / 2;
+    return ivec3(parts - row, row - i, i);
+}
+
+// Points of an edge that has fewer parts go back to the last point that there is, so that triangles beside it have no width and its neighbour's points stand in the same places.
+ivec3 displaceFitted(ivec3 w, uint drawn, int all)
+{
+    for (int k = 0; k < 3; k++)
+        if (w[k] == 0) {
+            int parts = int(displaceParts(drawn)[k]);
+            int at = w[(k + 1) % 3] * parts / all * all / parts;
+            w[(k + 1) % 3] = at;
+            w[(k + 2) % 3] = all - at;
+        }
+    return w;
+}
 
 // Mixed of three rows. Where one weight is 0 it is the sum of two products, which is the same in either order.
 vec4 displaceMixed(uvec3 rows, vec3 w, uint part)
@@ -32,6 +47,19 @@ vec4 displaceMixed(uvec3 rows, vec3 w, uint part)
                      + displace_rows[4u * rows.z + part] * w.z;
     return sum;
 }
+
+uvec3 displaceCorners(uint patchNumber)
+{
+    uint first = 12u * patchNumber;
+    return uvec3(displace_patches[first], displace_patches[first + 1u], displace_patches[first + 2u]);
+}
+
+#ifdef DISPLACE_POINT
+precise out vec3 displaced_position;
+out vec3 displaced_normal;
+out vec2 displaced_texcoord;
+out vec3 displaced_tangentU, displaced_tangentV;
+precise out vec3 displaced_base;
 
 // The rows by which the point moves: all that stand in its place have the same.
 uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
@@ -49,11 +77,13 @@ uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
     return own;
 }
 
-// Sets what is captured: the point of these weights, whose sum is 1.
-void displacePoint(uint patchNumber, vec3 w)
+uniform float displace_depth; // no point of the world moves farther
+
+// Sets what is captured: the point of these weights, whose sum is 1; or, below it, the one as deep as the surface can be, where a skirt ends.
+void displaceAt(uint patchNumber, vec3 w, bool lower)
 {
     uint first = 12u * patchNumber;
-    uvec3 own = uvec3(displace_patches[first], displace_patches[first + 1u], displace_patches[first + 2u]);
+    uvec3 own = displaceCorners(patchNumber);
     uvec3 moving = displaceMoving(first, own, w);
     vec4 position = displaceMixed(own, w, 0u), normal = displaceMixed(own, w, 1u);
     vec4 along = displaceMixed(moving, w, 0u), up = displaceMixed(moving, w, 1u);
@@ -65,6 +95,14 @@ void displacePoint(uint patchNumber, vec3 w)
     precise vec3 from = (matc_worldFromLocal * vec4(position.xyz, 1.0)).xyz;
     precise vec3 to = matc_displaced(position.xyz, up.xyz, vec2(along.w, up.w), displaceMixed(moving, w, 2u).xyz,
                                      displaceMixed(moving, w, 3u).xyz);
+    vec3 away = matc_worldNormalFromLocal * up.xyz;
+    if (lower)
+        to = from - away * (displace_depth / max(length(away), 1e-30));
     displaced_position = position.xyz + displace_localFromWorld * (to - from);
+}
+
+void displacePoint(uint patchNumber, vec3 w)
+{
+    displaceAt(patchNumber, w, false);
 }
 #endif

@@ -5,7 +5,8 @@
 #include <string.h>
 
 /* A method's row says how its triangles are made; displaced_method.h has what a row may say. */
-static const DisplacedMethod *const methods[] = {&displaced_grid, &displaced_tessellation};
+static const DisplacedMethod *const methods[] = {&displaced_grid, &displaced_tessellation, &displaced_geometry,
+                                                 &displaced_points};
 
 /* `auto` is the grid. */
 static const DisplacedMethod *method_of(Word word)

@@ -37,6 +37,7 @@ bool displaced_program(const DisplacedMaking *making, ProgramText *text, Materia
     if (!material_make(making->store, making->program, text, made))
         return false;
     set_spaces(making->scene, making->patches, made);
+    material_set_number(made, "displace_depth", (float)making->patches->bound);
     return true;
 }
 
@@ -128,6 +129,15 @@ void displaced_begin(const Displaced *d)
     gl->BindFramebuffer(GL_FRAMEBUFFER, d->framebuffer);
     gl->BindVertexArray(d->array);
     gl->Enable(GL_RASTERIZER_DISCARD);
+}
+
+void displaced_capture(Displaced *d, const Mesh *mesh, size_t first, size_t points)
+{
+    const GlContext *gl = displaced_context(d);
+    material_use(&d->material);
+    gl->BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, mesh->buffers[0], (GLintptr)(first * sizeof(MeshCaptured)),
+                        (GLsizeiptr)(points * sizeof(MeshCaptured)));
+    gl->BeginTransformFeedback(GL_TRIANGLES);
 }
 
 bool displaced_end(const Displaced *d)

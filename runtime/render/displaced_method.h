@@ -33,7 +33,7 @@ typedef struct DisplacedMethod {
     void (*forget)(Displaced *displaced);
 } DisplacedMethod;
 
-extern const DisplacedMethod displaced_grid, displaced_tessellation;
+extern const DisplacedMethod displaced_grid, displaced_tessellation, displaced_geometry, displaced_points;
 extern const char displaced_version[]; /* the first line of each stage */
 
 GlContext *displaced_context(const Displaced *displaced);
@@ -51,6 +51,12 @@ bool displaced_unshared(Displaced *displaced, Mesh *mesh, int triangles);
 /* Around draws whose points are captured, and nothing else. */
 void displaced_begin(const Displaced *displaced);
 bool displaced_end(const Displaced *displaced);
+/* Uses the material, and captures triangles of so many points as rows of the mesh, from row `first` on, until glEndTransformFeedback. */
+void displaced_capture(Displaced *displaced, const Mesh *mesh, size_t first, size_t points);
+/* Geometry programs read buffers, as displace_point.glsl has it, and write what every driver does at least. */
+bool displaced_geometry_there(const GlContext *gl);
+/* How many points a geometry program may write for one that it gets, each with all that is captured. */
+int displaced_geometry_points(const GlContext *gl);
 /* `parts` for the view; if they are not as they were, `anew`, and the third buffer has what displace_point.glsl draws: patches by the parts of their insides, `first` of each number of
  * parts, and behind the last. */
 bool displaced_parts(Displaced *displaced, const DisplacedView *view, int first[SCENE_PATCH_PARTS + 2]);

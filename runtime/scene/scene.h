@@ -84,6 +84,12 @@ typedef struct {
     double grid_step, axes_length, light_size;
 } SceneTools;
 
+/* What some methods of displacement go by. */
+typedef struct {
+    Word skirts; /* WORD_Skirts_auto, ... */
+    Word symbol; /* of points: WORD_Symbol_square, ... */
+} SceneDividing;
+
 /* Of `indirect:`, as scene.def says. */
 typedef struct {
     Word method;                      /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
@@ -136,6 +142,7 @@ typedef struct Scene {
     double displaced_pixels; /* by bisection: that an error may have in the picture; 0: it is not looked at */
     int displaced_level;     /* parts of an edge; 0: by the next */
     int displaced_triangles; /* to about how many such a mesh is divided, at least */
+    SceneDividing dividing;
     int voxel_size;          /* voxels along an edge of the whole: a power of two */
     SceneIndirect indirect;
     SceneTools tools;

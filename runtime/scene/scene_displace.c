@@ -124,6 +124,7 @@ static bool make_mesh(Maker *k, const SceneObject *object, const Base *base, Sce
                                  .world_from_local = object->world_from_local,
                                  .method = k->by->method,
                                  .level = scene->displaced_level,
+                                 .dividing = scene->dividing,
                                  .triangles = scene->displaced_triangles,
                                  .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL, /* by bisection alone */
                                  .pixels = scene->displaced_pixels};

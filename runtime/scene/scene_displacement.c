@@ -211,6 +211,10 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     }
     (*patches)->method = how->method;
     (*patches)->world_from_local = how->world_from_local;
+    (*patches)->dividing = how->dividing;
+    (*patches)->apart = how->dividing.skirts != WORD_Skirts_auto;
+    (*patches)->torn = (*patches)->apart || how->method == WORD_Displacing_points;
+    (*patches)->bound = bound;
     (*patches)->level = by_picture ? most : (parts + across - 1) / across;
     (*patches)->pixels = how->pixels;
     (*patches)->triangles = how->triangles;

@@ -12,6 +12,7 @@ typedef struct {
     SceneMatrix world_from_local;
     Word method; /* WORD_Displacing_mesh, ... */
     int triangles;
+    SceneDividing dividing;
     int level;             /* parts of an edge of `from`, whatever `triangles` are; 0: by these */
     const SceneSeen *seen; /* by whom, where triangles go by what is seen; or NULL */
     double pixels;         /* that an error may have then */

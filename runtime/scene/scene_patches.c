@@ -232,4 +232,6 @@ void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera
         }
     if (patches->pixels > 0)
         bound_parts(patches, parts);
+    for (int t = 0; patches->apart && t < patches->count; t++)
+        memset(parts[t], scene_patch_parts(parts[t]), sizeof parts[t]);
 }

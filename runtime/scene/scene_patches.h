@@ -19,6 +19,10 @@ typedef struct ScenePatches {
     Word method; /* of the list Displacing */
     int material;
     SceneMatrix world_from_local;
+    SceneDividing dividing;
+    bool torn;       /* what they become is not closed, even if they are */
+    bool apart;      /* all edges of a patch have as many parts as the one that needs most, whatever its neighbour has */
+    double bound;    /* no point moves farther in the world */
     double reach[3]; /* no point moves farther along the axes of the object's space */
     int level;       /* parts of an edge; of those that go by the picture at most */
     double pixels;   /* that an edge of the triangles they become is long in the picture; 0: all have `level` parts */

@@ -94,10 +94,16 @@ static void read_displacement(SceneReader *r, Tree *tree)
     r->scene->displaced_triangles = (int)scene_thing_number(&thing, S_Displacement_triangles);
     r->scene->displaced_level = (int)scene_thing_number(&thing, S_Displacement_level);
     const Word method = r->scene->displaced_by;
+    SceneDividing *dividing = &r->scene->dividing;
+    dividing->skirts = (Word)scene_thing_number(&thing, S_Displacement_skirts);
+    dividing->symbol = (Word)scene_thing_number(&thing, S_Displacement_symbol);
     if (method == WORD_Displacing_mesh && r->scene->displaced_pixels > 0)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels);
     else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
+    else if (dividing->skirts != WORD_Skirts_auto && method != WORD_Displacing_geometry)
+        diag_add(r->session, scene_thing_span(&thing, S_Displacement_skirts), DIAG_scene_skirts,
+                 word_table[method].name, word_table[dividing->skirts].name);
     else
         return;
     r->fine = false;

@@ -1,0 +1,58 @@
+/* Bodies that are displaced, and views of them. */
+#include "tests/frame/displaced_bodies.h"
+#include "tests/frame/frame_compare.h"
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdio.h>
+
+static const char materials[] =
+    "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 0.2, displacementBound: 0.3, "
+    "displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"
+    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1, displacement: { map: "
+    "Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n"
+    "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: "
+    "Gradient, direction: [2, 3, 1], waveForm: Sin },\n"
+    "    blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] }] } }\n";
+static const char *const bodies[DISPLACED_BODIES] = {
+    "{ object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }",
+    "{ object: Sphere, radius: 0.9, material: tiles, detail: 12 }",
+    "{ object: Cylinder, radius: 0.6, height: 1.2, detail: 12, material: leaning, transform: { translation: [0, 0, "
+    "-0.6] } }",
+    "{ object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: rock, transform: { translation: [-1, -1, 0] } }"};
+
+Scene *displaced_body(int body, const char *how, const MatcOptions *options, MatcDocument **document)
+{
+    char text[4000];
+    snprintf(text, sizeof text,
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 "
+             "}\nmaterials:\n%s"
+             "displacement: { %s }\nlights: []\nobjects:\n- %s\n",
+             DISPLACED_EDGE, DISPLACED_EDGE, materials, how, bodies[body]);
+    return frame_scene(text, options, document);
+}
+
+void displaced_look_from(Scene *scene, int body, int view, int views)
+{
+    const bool above = body == DISPLACED_BODIES - 1;
+    const double z = above ? .5 + .4 * view / views : 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view,
+                 r = sqrt(1 - z * z), distance = 1.7, way[3] = {r * cos(turn), r * sin(turn), z};
+    for (int i = 0; i < 3; i++)
+        scene->camera.position[i] = distance * way[i];
+    assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine);
+}
+
+static bool shown(const float *light, int x, int y) { return light[4 * (y * DISPLACED_EDGE + x)] > .1f; }
+
+int displaced_holes(const float *light, const float *whole, long *within)
+{
+    int count = 0;
+    for (int y = 1; y < DISPLACED_EDGE - 1; y++)
+        for (int x = 1; x < DISPLACED_EDGE - 1; x++) {
+            int around = 0;
+            for (int i = 0; i < 9; i++)
+                around += shown(whole, x + i % 3 - 1, y + i / 3 - 1);
+            *within += shown(light, x, y);
+            count += around == 9 && !shown(light, x, y);
+        }
+    return count;
+}

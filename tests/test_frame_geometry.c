@@ -1,0 +1,209 @@
+/* Meshes that geometry programs displace, drawn under OSMesa: their points are those of meshes that the C reference displaced, within and beyond what one call writes; where patches
+ * are divided each for itself there are gaps, and skirts of each kind hide them; what stands for points stands where the grid has them. */
+#include "tests/frame/frame_compare.h"
+#include "tests/frame/displaced_bodies.h"
+#include "tests/frame/frame_draw.h"
+#include "runtime/scene/scene_patches.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EDGE = DISPLACED_EDGE };
+
+static const Shape *shape_of(const Scene *scene) { return &scene->meshes[scene->objects[0].mesh].shape; }
+
+/* An edge is drawn with coverage: so its triangles come back. */
+static RenderOptions with_triangles(const MatcOptions *options)
+{
+    return (RenderOptions){.compile = options, .view = "light", .edges = RENDER_EDGES_coverage};
+}
+
+static double apart(const float a[3], const float b[3])
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]);
+    return sqrt(sum);
+}
+
+/* How far a point is from those of a mesh that were in the same place. */
+static double nearest(const Shape *shape, const float position[3], const float base[3])
+{
+    double least = INFINITY;
+    for (int i = 0; i < shape->vertex_count; i++)
+        if (apart(shape->base[i], base) < 1e-5)
+            least = fmin(least, apart(shape->vertices[i].position, position));
+    return least;
+}
+
+static int triangles_of(GlContext *gl, int body, const char *how, MatcDocument **document, Scene **scene)
+{
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions draw = with_triangles(&options);
+    *scene = displaced_body(body, how, &options, document);
+    free(frame_floats(gl, *scene, &draw));
+    return shape_of(*scene)->index_count / 3;
+}
+
+/* Of 7 parts, which nothing divides; of 12, which are three parts of four; on a box whose edges are hard, which mix the sum of two normals. */
+static void points_are_those_of_the_reference(void **state)
+{
+    (void)state;
+    static const int levels[] = {5, 7, 12};
+    GlContext *gl = frame_context();
+    for (int i = 0; i < 3; i++) {
+        char how[80];
+        MatcDocument *documents[2];
+        Scene *scenes[2];
+        double worst = 0;
+        int counts[2];
+        for (int k = 0; k < 2; k++) {
+            snprintf(how, sizeof how, "method: %s, level: %d", k ? "geometry" : "mesh", levels[i]);
+            counts[k] = triangles_of(gl, 0, how, &documents[k], &scenes[k]);
+        }
+        const Shape *shape = shape_of(scenes[1]);
+        for (int k = 0; k < shape->vertex_count; k++)
+            worst = fmax(worst, nearest(shape_of(scenes[0]), shape->vertices[k].position, shape->base[k]));
+        print_message("%d parts: %d triangles, off by %.2g\n", levels[i], counts[1], worst);
+        assert_true(counts[0] == 12 * levels[i] * levels[i] && counts[1] == counts[0] && worst < 1e-6);
+        assert_true(shape_body(shape) != SHAPE_BODY_none);
+        for (int k = 0; k < 2; k++)
+            frame_forget(scenes[k], documents[k]);
+    }
+    gl_close(gl);
+}
+
+/* n^2 triangles; 6 n more around a patch, one below it, or 6 around each. */
+static void skirts_have_their_triangles(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *how;
+        int triangles;
+    } cases[] = {{"skirts: none, level: 4", 16},         {"skirts: copy, level: 4", 17},
+                 {"skirts: outline, level: 4", 16 + 24}, {"skirts: all, level: 4", 112},
+                 {"skirts: outline, level: 10", 160},    {"skirts: all, level: 5", 175}};
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char how[80];
+        MatcDocument *document;
+        Scene *scene;
+        snprintf(how, sizeof how, "method: geometry, %s", cases[i].how);
+        assert_int_equal(triangles_of(gl, 0, how, &document, &scene), 12 * cases[i].triangles);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+enum { VIEWS = 3, VIEW_FLOATS = 4 * EDGE * EDGE };
+
+static void draw_views(GlContext *gl, int body, const char *how, float *light)
+{
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene = displaced_body(body, how, &options, &document);
+    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
+    assert_true(render && render_scene(render, scene));
+    for (int view = 0; view < VIEWS; view++) {
+        displaced_look_from(scene, body, view, VIEWS);
+        assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render) &&
+                    render_read(render, light + view * VIEW_FLOATS));
+    }
+    render_close(render);
+    frame_forget(scene, document);
+}
+
+/* Edges of other numbers of parts agree with their neighbours', or they gape. A copy below is not behind all gaps that are seen at a slant, at the rim of the square. */
+static void skirts_hide_gaps(void **state)
+{
+    (void)state;
+    static const char *const skirts[] = {"none", "auto", "copy", "outline", "all"};
+    static const int shown[] = {0, 3};
+    float *whole = calloc(2 * VIEWS * VIEW_FLOATS, sizeof *whole), *light = calloc(VIEWS * VIEW_FLOATS, sizeof *light);
+    GlContext *gl = frame_context();
+    for (int body = 0; body < 2; body++)
+        draw_views(gl, shown[body], "method: mesh, level: 40", whole + body * VIEWS * VIEW_FLOATS);
+    for (int i = 0; i < 5; i++) {
+        int count = 0;
+        long within = 0;
+        for (int body = 0; body < 2; body++) {
+            char how[120];
+            snprintf(how, sizeof how, "method: geometry, pixels: 5, triangles: 9000, skirts: %s", skirts[i]);
+            draw_views(gl, shown[body], how, light);
+            for (int view = 0; view < VIEWS; view++)
+                count +=
+                    displaced_holes(light + view * VIEW_FLOATS, whole + (body * VIEWS + view) * VIEW_FLOATS, &within);
+        }
+        print_message("skirts: %s: %d holes in %ld pixels\n", skirts[i], count, within);
+        assert_true(within > 9000 && (i == 0 ? count > 5 : i == 2 ? count < 3 : count == 0));
+    }
+    gl_close(gl);
+    free(light);
+    free(whole);
+}
+
+/* Four corners of each square lie around the grid's point, in the plane across its normal; a ball's points are as far from it as each other. */
+static void symbols_stand_around_points(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        int triangles;
+    } symbols[] = {{"square", 2}, {"billboard", 2}, {"cylinder", 22}, {"sphere", 36}};
+    enum { LEVEL = 3, POINTS = (LEVEL + 1) * (LEVEL + 2) / 2 };
+    GlContext *gl = frame_context();
+    MatcDocument *documents[2];
+    Scene *scenes[2];
+    triangles_of(gl, 0, "method: grid, level: 3", &documents[0], &scenes[0]);
+    const Shape *grid = shape_of(scenes[0]);
+    for (int i = 0; i < 4; i++) {
+        char how[80];
+        double most = 0;
+        snprintf(how, sizeof how, "method: points, level: 3, symbol: %s", symbols[i].name);
+        assert_int_equal(triangles_of(gl, 0, how, &documents[1], &scenes[1]), 12 * POINTS * symbols[i].triangles);
+        const Shape *shape = shape_of(scenes[1]);
+        for (int first = 0; first < shape->vertex_count; first += 3 * symbols[i].triangles) {
+            float low[3], high[3], middle[3];
+            for (int lane = 0; lane < 3; lane++) {
+                low[lane] = INFINITY, high[lane] = -INFINITY;
+                for (int k = first; k < first + 3 * symbols[i].triangles; k++) {
+                    low[lane] = fminf(low[lane], shape->vertices[k].position[lane]);
+                    high[lane] = fmaxf(high[lane], shape->vertices[k].position[lane]);
+                }
+                middle[lane] = (low[lane] + high[lane]) / 2;
+            }
+            most = fmax(most, nearest(grid, middle, shape->base[first]));
+        }
+        print_message("%s: the middle is off by %.2g\n", symbols[i].name, most);
+        assert_true(most < (i == 3 ? .06 : 1e-5)); /* six sides and three bands do not reach as far to all sides */
+        frame_forget(scenes[1], documents[1]);
+    }
+    frame_forget(scenes[0], documents[0]);
+    gl_close(gl);
+}
+
+static void others_have_no_skirts(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    static const char text[] =
+        "camera: { camera: Perspective }\ndisplacement: { method: grid, skirts: all }\nlights: []\nobjects: []\n";
+    Scene *scene;
+    MatcDocument *document = scene_read("scene.yaml", text, sizeof text - 1, &options, &scene);
+    assert_null(scene);
+    assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT),
+                           "2:39: error: displacement by grid has no skirts of the kind all"));
+    matc_document_free(document);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_are_those_of_the_reference),
+        cmocka_unit_test(skirts_have_their_triangles),
+        cmocka_unit_test(skirts_hide_gaps),
+        cmocka_unit_test(symbols_stand_around_points),
+        cmocka_unit_test(others_have_no_skirts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
