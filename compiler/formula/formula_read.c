@@ -15,11 +15,13 @@ static uint32_t read_value(FormulaReader *r)
     r->operand_count = r->wait_count = 0;
     while (!ended && r->faults < FORMULA_MOST_FAULTS)
         behind = behind ? formula_operator(r, &ended) : formula_operand(r);
-    for (formula_reduce_to(r, level_none, true); ended && r->wait_count; formula_reduce_to(r, level_none, true)) {
+    if (!ended) /* after so many faults what waits may lack its operands */
+        return 0;
+    for (formula_reduce_to(r, level_none, true); r->wait_count; formula_reduce_to(r, level_none, true)) {
         const FormulaWait *open = &r->waits[--r->wait_count];
-        r->faults++;
-        diag_add(r->session, formula_span(r, open->start, open->end), DIAG_formula_not_closed,
-                 formula_token_text(r->s, (Token){.kind = TOKEN_name, .start = open->start, .end = open->end}));
+        if (r->faults++ < FORMULA_MOST_FAULTS)
+            diag_add(r->session, formula_span(r, open->start, open->end), DIAG_formula_not_closed,
+                     formula_token_text(r->s, (Token){.kind = TOKEN_name, .start = open->start, .end = open->end}));
     }
     return r->operand_count ? r->operands[0] : 0;
 }
