@@ -8,40 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { EDGE = DISPLACED_EDGE };
-
 static const Shape *shape_of(const Scene *scene) { return &scene->meshes[scene->objects[0].mesh].shape; }
-
-/* An edge is drawn with coverage: so its triangles come back. */
-static RenderOptions with_triangles(const MatcOptions *options)
-{
-    return (RenderOptions){.compile = options, .view = "light", .edges = RENDER_EDGES_coverage};
-}
-
-static double apart(const float a[3], const float b[3])
-{
-    double sum = 0;
-    for (int i = 0; i < 3; i++)
-        sum += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]);
-    return sqrt(sum);
-}
-
-/* How far a point is from those of a mesh that were in the same place. */
-static double nearest(const Shape *shape, const float position[3], const float base[3])
-{
-    double least = INFINITY;
-    for (int i = 0; i < shape->vertex_count; i++)
-        if (apart(shape->base[i], base) < 1e-5)
-            least = fmin(least, apart(shape->vertices[i].position, position));
-    return least;
-}
 
 static int triangles_of(GlContext *gl, int body, const char *how, MatcDocument **document, Scene **scene)
 {
-    const MatcOptions options = frame_exact_options();
-    const RenderOptions draw = with_triangles(&options);
-    *scene = displaced_body(body, how, &options, document);
-    free(frame_floats(gl, *scene, &draw));
+    *scene = displaced_drawn(gl, body, how, document);
     return shape_of(*scene)->index_count / 3;
 }
 
@@ -63,7 +34,7 @@ static void points_are_those_of_the_reference(void **state)
         }
         const Shape *shape = shape_of(scenes[1]);
         for (int k = 0; k < shape->vertex_count; k++)
-            worst = fmax(worst, nearest(shape_of(scenes[0]), shape->vertices[k].position, shape->base[k]));
+            worst = fmax(worst, displaced_nearest(shape_of(scenes[0]), shape->vertices[k].position, shape->base[k]));
         print_message("%d parts: %d triangles, off by %.2g\n", levels[i], counts[1], worst);
         assert_true(counts[0] == 12 * levels[i] * levels[i] && counts[1] == counts[0] && worst < 1e-6);
         assert_true(shape_body(shape) != SHAPE_BODY_none);
@@ -95,44 +66,28 @@ static void skirts_have_their_triangles(void **state)
     gl_close(gl);
 }
 
-enum { VIEWS = 3, VIEW_FLOATS = 4 * EDGE * EDGE };
-
-static void draw_views(GlContext *gl, int body, const char *how, float *light)
-{
-    const MatcOptions options = frame_exact_options();
-    MatcDocument *document;
-    Scene *scene = displaced_body(body, how, &options, &document);
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
-    assert_true(render && render_scene(render, scene));
-    for (int view = 0; view < VIEWS; view++) {
-        displaced_look_from(scene, body, view, VIEWS);
-        assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render) &&
-                    render_read(render, light + view * VIEW_FLOATS));
-    }
-    render_close(render);
-    frame_forget(scene, document);
-}
-
 /* Edges of other numbers of parts agree with their neighbours', or they gape. A copy below is not behind all gaps that are seen at a slant, at the rim of the square. */
 static void skirts_hide_gaps(void **state)
 {
     (void)state;
     static const char *const skirts[] = {"none", "auto", "copy", "outline", "all"};
     static const int shown[] = {0, 3};
-    float *whole = calloc(2 * VIEWS * VIEW_FLOATS, sizeof *whole), *light = calloc(VIEWS * VIEW_FLOATS, sizeof *light);
+    float *whole = calloc(2 * DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS, sizeof *whole),
+          *light = calloc(DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS, sizeof *light);
     GlContext *gl = frame_context();
     for (int body = 0; body < 2; body++)
-        draw_views(gl, shown[body], "method: mesh, level: 40", whole + body * VIEWS * VIEW_FLOATS);
+        displaced_draw_views(gl, shown[body], "method: mesh, level: 40",
+                             whole + body * DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS);
     for (int i = 0; i < 5; i++) {
         int count = 0;
         long within = 0;
         for (int body = 0; body < 2; body++) {
             char how[120];
             snprintf(how, sizeof how, "method: geometry, pixels: 5, triangles: 9000, skirts: %s", skirts[i]);
-            draw_views(gl, shown[body], how, light);
-            for (int view = 0; view < VIEWS; view++)
-                count +=
-                    displaced_holes(light + view * VIEW_FLOATS, whole + (body * VIEWS + view) * VIEW_FLOATS, &within);
+            displaced_draw_views(gl, shown[body], how, light);
+            for (int view = 0; view < DISPLACED_VIEWS; view++)
+                count += displaced_holes(light + view * DISPLACED_VIEW_FLOATS,
+                                         whole + (body * DISPLACED_VIEWS + view) * DISPLACED_VIEW_FLOATS, &within);
         }
         print_message("skirts: %s: %d holes in %ld pixels\n", skirts[i], count, within);
         assert_true(within > 9000 && (i == 0 ? count > 5 : i == 2 ? count < 3 : count == 0));
@@ -172,7 +127,7 @@ static void symbols_stand_around_points(void **state)
                 }
                 middle[lane] = (low[lane] + high[lane]) / 2;
             }
-            most = fmax(most, nearest(grid, middle, shape->base[first]));
+            most = fmax(most, displaced_nearest(grid, middle, shape->base[first]));
         }
         print_message("%s: the middle is off by %.2g\n", symbols[i].name, most);
         assert_true(most < (i == 3 ? .06 : 1e-5)); /* six sides and three bands do not reach as far to all sides */

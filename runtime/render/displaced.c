@@ -6,7 +6,7 @@
 
 /* A method's row says how its triangles are made; displaced_method.h has what a row may say. */
 static const DisplacedMethod *const methods[] = {&displaced_grid, &displaced_tessellation, &displaced_geometry,
-                                                 &displaced_points};
+                                                 &displaced_points, &displaced_feedback};
 
 /* `auto` is the grid. */
 static const DisplacedMethod *method_of(Word word)

@@ -33,7 +33,7 @@ typedef struct DisplacedMethod {
     void (*forget)(Displaced *displaced);
 } DisplacedMethod;
 
-extern const DisplacedMethod displaced_grid, displaced_tessellation, displaced_geometry, displaced_points;
+extern const DisplacedMethod displaced_grid, displaced_tessellation, displaced_geometry, displaced_points, displaced_feedback;
 extern const char displaced_version[]; /* the first line of each stage */
 
 GlContext *displaced_context(const Displaced *displaced);

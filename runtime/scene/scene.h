@@ -88,6 +88,8 @@ typedef struct {
 typedef struct {
     Word skirts; /* WORD_Skirts_auto, ... */
     Word symbol; /* of points: WORD_Symbol_square, ... */
+    double near, detail; /* of feedback: triangles are divided while distance - near < detail * area */
+    int steps;           /* of feedback: passes; 0: by the number of triangles */
 } SceneDividing;
 
 /* Of `indirect:`, as scene.def says. */

@@ -187,14 +187,23 @@ static double bound_of(const SceneDisplacing *how)
     return bound;
 }
 
+enum { MOST_STEPS = 12, FEEDBACK_MOST = 1 << 24 /* displaced_feedback.c makes no more */ };
+
+/* Where no triangle is too far away to be divided. */
+static int64_t feedback_triangles(const ScenePatches *patches)
+{
+    return (int64_t)patches->count << 2 * patches->dividing.steps;
+}
+
 /* 131072 triangles of a box: 105 parts of an edge, which are 2 patches of 53. By the picture 512 patches or more, which have 256 triangles each where all edges have 16 parts. */
 static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Shape *made, ScenePatches **patches)
 {
     enum { USUAL_TRIANGLES = 256 };
     const bool by_picture = how->pixels > 0;
     const int parts = parts_of(how, from);
-    const int across = by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
-                                  : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
+    const int across = how->method == WORD_Displacing_feedback ? 1
+                       : by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
+                                    : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
     const int most = how->level && how->level < SCENE_PATCH_PARTS ? how->level : SCENE_PATCH_PARTS;
     const double bound = bound_of(how);
     SceneMatrix inverse;
@@ -212,8 +221,12 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     (*patches)->method = how->method;
     (*patches)->world_from_local = how->world_from_local;
     (*patches)->dividing = how->dividing;
+    while (!how->dividing.steps && (*patches)->dividing.steps < MOST_STEPS &&
+           feedback_triangles(*patches) * 4 <= how->triangles)
+        (*patches)->dividing.steps++;
     (*patches)->apart = how->dividing.skirts != WORD_Skirts_auto;
-    (*patches)->torn = (*patches)->apart || how->method == WORD_Displacing_points;
+    (*patches)->torn =
+        (*patches)->apart || how->method == WORD_Displacing_points || how->method == WORD_Displacing_feedback;
     (*patches)->bound = bound;
     (*patches)->level = by_picture ? most : (parts + across - 1) / across;
     (*patches)->pixels = how->pixels;
@@ -240,6 +253,8 @@ int64_t scene_displaced_triangles(const SceneMesh *mesh)
     const ScenePatches *patches = mesh->patches;
     if (!patches)
         return mesh->shape.index_count / 3;
+    if (patches->method == WORD_Displacing_feedback)
+        return feedback_triangles(patches) < FEEDBACK_MOST ? feedback_triangles(patches) : FEEDBACK_MOST;
     const int64_t all = (int64_t)patches->count * patches->level * patches->level;
     const int64_t most = patches->triangles > patches->count ? patches->triangles : patches->count;
     return patches->pixels > 0 && all > most ? most : all;

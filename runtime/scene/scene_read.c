@@ -82,6 +82,21 @@ static void read_voxels(SceneReader *r, Tree *tree)
     r->fine = false;
 }
 
+static bool has_skirts(Word method, Word skirts)
+{
+    switch (skirts) {
+    case WORD_Skirts_auto:
+        return true;
+    case WORD_Skirts_outline:
+        return method == WORD_Displacing_geometry;
+    case WORD_Skirts_borders:
+    case WORD_Skirts_early:
+        return method == WORD_Displacing_feedback;
+    default:
+        return method == WORD_Displacing_geometry || method == WORD_Displacing_feedback;
+    }
+}
+
 static void read_displacement(SceneReader *r, Tree *tree)
 {
     SceneThing thing;
@@ -96,12 +111,15 @@ static void read_displacement(SceneReader *r, Tree *tree)
     const Word method = r->scene->displaced_by;
     SceneDividing *dividing = &r->scene->dividing;
     dividing->skirts = (Word)scene_thing_number(&thing, S_Displacement_skirts);
+    dividing->near = scene_thing_number(&thing, S_Displacement_near);
+    dividing->detail = scene_thing_number(&thing, S_Displacement_detail);
+    dividing->steps = (int)scene_thing_number(&thing, S_Displacement_steps);
     dividing->symbol = (Word)scene_thing_number(&thing, S_Displacement_symbol);
     if (method == WORD_Displacing_mesh && r->scene->displaced_pixels > 0)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels);
     else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
-    else if (dividing->skirts != WORD_Skirts_auto && method != WORD_Displacing_geometry)
+    else if (!has_skirts(method, dividing->skirts))
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_skirts), DIAG_scene_skirts,
                  word_table[method].name, word_table[dividing->skirts].name);
     else

@@ -4,6 +4,7 @@
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static const char materials[] =
     "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 0.2, displacementBound: 0.3, "
@@ -31,8 +32,18 @@ Scene *displaced_body(int body, const char *how, const MatcOptions *options, Mat
     return frame_scene(text, options, document);
 }
 
-void displaced_look_from(Scene *scene, int body, int view, int views)
+Scene *displaced_drawn(GlContext *gl, int body, const char *how, MatcDocument **document)
 {
+    const MatcOptions options = frame_exact_options(); /* an edge is drawn with coverage: so its triangles come back */
+    Scene *scene = displaced_body(body, how, &options, document);
+    free(frame_floats(gl, scene,
+                      &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
+    return scene;
+}
+
+static void look_from(Scene *scene, int body, int view)
+{
+    const int views = DISPLACED_VIEWS;
     const bool above = body == DISPLACED_BODIES - 1;
     const double z = above ? .5 + .4 * view / views : 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view,
                  r = sqrt(1 - z * z), distance = 1.7, way[3] = {r * cos(turn), r * sin(turn), z};
@@ -41,18 +52,53 @@ void displaced_look_from(Scene *scene, int body, int view, int views)
     assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine);
 }
 
+void displaced_draw_views(GlContext *gl, int body, const char *how, float *light)
+{
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene = displaced_body(body, how, &options, &document);
+    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
+    assert_true(render && render_scene(render, scene));
+    for (int view = 0; view < DISPLACED_VIEWS; view++) {
+        look_from(scene, body, view);
+        assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render) &&
+                    render_read(render, light + view * DISPLACED_VIEW_FLOATS));
+    }
+    render_close(render);
+    frame_forget(scene, document);
+}
+
+static double apart(const float a[3], const float b[3])
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]);
+    return sqrt(sum);
+}
+
+double displaced_nearest(const Shape *shape, const float position[3], const float base[3])
+{
+    double least = INFINITY;
+    for (int i = 0; i < shape->vertex_count; i++)
+        if (apart(shape->base[i], base) < 1e-5)
+            least = fmin(least, apart(shape->vertices[i].position, position));
+    return least;
+}
+
 static bool shown(const float *light, int x, int y) { return light[4 * (y * DISPLACED_EDGE + x)] > .1f; }
 
+/* Two pixels from its outline, which coarse triangles have elsewhere. */
 int displaced_holes(const float *light, const float *whole, long *within)
 {
+    enum { AWAY = 2, SIDE = 2 * AWAY + 1 };
     int count = 0;
-    for (int y = 1; y < DISPLACED_EDGE - 1; y++)
-        for (int x = 1; x < DISPLACED_EDGE - 1; x++) {
+    for (int y = AWAY; y < DISPLACED_EDGE - AWAY; y++)
+        for (int x = AWAY; x < DISPLACED_EDGE - AWAY; x++) {
             int around = 0;
-            for (int i = 0; i < 9; i++)
-                around += shown(whole, x + i % 3 - 1, y + i / 3 - 1);
+            for (int i = 0; i < SIDE * SIDE; i++)
+                around += shown(whole, x + i % SIDE - AWAY, y + i / SIDE - AWAY);
             *within += shown(light, x, y);
-            count += around == 9 && !shown(light, x, y);
+            count += around == SIDE * SIDE && !shown(light, x, y);
         }
     return count;
 }

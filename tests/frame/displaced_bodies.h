@@ -3,12 +3,21 @@
 #define MATC_FRAME_DISPLACED_BODIES_H
 #include "runtime/render/render.h"
 
-enum { DISPLACED_EDGE = 64 /* pixels of the picture */, DISPLACED_BODIES = 4 };
+enum {
+    DISPLACED_EDGE = 64 /* pixels of the picture */,
+    DISPLACED_BODIES = 4,
+    DISPLACED_VIEWS = 3,
+    DISPLACED_VIEW_FLOATS = 4 * DISPLACED_EDGE * DISPLACED_EDGE
+};
 
 /* Displaced by `how`, such as "method: grid, level: 3": a box of rock, a ball of tiles, a cylinder that leans, a square of rock; so bright that light is above 0.1. */
 Scene *displaced_body(int body, const char *how, const MatcOptions *options, MatcDocument **document);
-/* Of so many views from all around; or, of the square, from above. */
-void displaced_look_from(Scene *scene, int body, int view, int views);
-/* Pixels of the background where a picture without holes shows the body, as it does all around; `within` counts those that show it. */
+/* Drawn once, so that its triangles came back. */
+Scene *displaced_drawn(GlContext *gl, int body, const char *how, MatcDocument **document);
+/* Light of views from all around; or, of the square, from above: DISPLACED_VIEWS times DISPLACED_VIEW_FLOATS. */
+void displaced_draw_views(GlContext *gl, int body, const char *how, float *light);
+/* How far a point is from those of a displaced shape that were in the same place; INFINITY: none was. */
+double displaced_nearest(const Shape *shape, const float position[3], const float base[3]);
+/* Pixels of the background where a picture without holes shows the body, as it does two pixels around; `within` counts those that show it. */
 int displaced_holes(const float *light, const float *whole, long *within);
 #endif
