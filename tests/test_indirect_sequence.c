@@ -84,6 +84,30 @@ static void tiles_of_sobol_are_nets(void **state)
 }
 
 /* Any 4 x 4 pixels, wherever they begin, have the 16 n samples of one Hammersley set: i / 16 n, each once, with mirrored bits. */
+/* As the GLSL has it: set k is shifted by sample k n, too. The sets of a pixel from 0 on are one net, and so is each set of a tile. */
+static void sets_of_frames_are_nets(void **state)
+{
+    (void)state;
+    enum { COUNT = 8, SETS = 16, LOG_COUNT = 3, LOG_SETS = 4, LOG_PIXELS = 6 };
+    static double sobol[SETS * COUNT][2];
+    const IndirectSequence of = {WORD_Sequence_sobol, WORD_Rotation_tile, COUNT};
+    assert_int_equal(indirect_sequence_block(&of), COUNT);
+    assert_int_equal(indirect_sequence_block(&(IndirectSequence){of.sequence, of.rotation, 5}), 8);
+    indirect_sequence_samples(of.sequence, SETS * COUNT, sobol);
+    for (int one = 0; one < 2; one++) /* of a pixel, of a set */
+        for (int fixed = 0; fixed < SETS; fixed++) {
+            const int others = one ? 64 : SETS;
+            for (int i = 0; i < others * COUNT; i++) {
+                const int pixel = one ? i / COUNT : fixed, set = one ? fixed : i / COUNT;
+                double shift[3];
+                indirect_sequence_shift(&of, pixel % 8, pixel / 8, shift);
+                for (int k = 0; k < 2; k++)
+                    samples[i][k] = turned(turned(sobol[i % COUNT][k], shift[k]), sobol[set * COUNT][k]);
+            }
+            assert_net(LOG_COUNT + (one ? LOG_PIXELS : LOG_SETS));
+        }
+}
+
 static void tiles_of_hammersley_are_one_set(void **state)
 {
     (void)state;
@@ -133,7 +157,9 @@ static void blue_noise_and_none(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(sequences_are_as_they_are_published),
-                                       cmocka_unit_test(sets_are_nets), cmocka_unit_test(tiles_of_sobol_are_nets),
+                                       cmocka_unit_test(sets_are_nets),
+                                       cmocka_unit_test(tiles_of_sobol_are_nets),
+                                       cmocka_unit_test(sets_of_frames_are_nets),
                                        cmocka_unit_test(tiles_of_hammersley_are_one_set),
                                        cmocka_unit_test(blue_noise_and_none)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -38,7 +38,10 @@ void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINI
     const bool uniform = in->distribution == WORD_Distribution_uniform, bent = indirect_shows(render, "bent");
     const IndirectSequence sequence = sequence_of(render);
     const bool near = indirect_method(render) == WORD_Indirect_hybrid;
-    char voxels[32] = "";
+    char voxels[32] = "", turns[64] = "";
+    if (turns_bits(&sequence))
+        snprintf(turns, sizeof turns, "#define INDIRECT_TURNS_BITS\n#define INDIRECT_BLOCK %d\n",
+                 indirect_sequence_block(&sequence));
     if (indirect_reads_voxels(render))
         snprintf(voxels, sizeof voxels, "#define VOXEL_SIZE %d\n", render->scene->voxel_size);
     snprintf(text, INDIRECT_DEFINITIONS,
@@ -52,8 +55,7 @@ void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINI
                        : STEPS,
              indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence), shifts_of(&sequence),
              (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
-             coarse, indirect_filter_size(render, coarse),
-             turns_bits(&sequence) ? "#define INDIRECT_TURNS_BITS\n" : "",
+             coarse, indirect_filter_size(render, coarse), turns,
              indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
              uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                      : "#define INDIRECT_SHARE(cosine) 1.0\n",

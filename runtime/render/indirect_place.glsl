@@ -55,10 +55,10 @@ vec2 indirectRandom(uvec2 v)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-// What a pixel's samples are shifted by, of which indirect_sequence.h tells: with what goes on from one set of samples to the next, by steps of the plastic number, 1 / p and
-// 1 / p^2, which fill a square evenly (Roberts 2018), and of the golden ratio.
+// What a pixel's samples are shifted by, of which indirect_sequence.h tells: with what goes on from one set of samples to the next: of Sobol's in tiles as that file says; else by steps of the
+// plastic number, 1 / p and 1 / p^2, which fill a square evenly (Roberts 2018), and of the golden ratio.
 struct IndirectShift {
-    vec3 at, more; // by exclusive or of bits, or added; added
+    vec3 at, more; // xy: both by exclusive or of bits, or both added
 };
 
 #if INDIRECT_ROTATION == 3
@@ -70,9 +70,25 @@ float indirectBlue(ivec2 pixel)
 }
 #endif
 
+#ifdef INDIRECT_TURNS_BITS
+// The first 16 bits of one of Sobol's samples (indirect_sequence.h).
+vec2 indirectSobol(uint number)
+{
+    uvec2 bits = uvec2(0u), more = uvec2(32768u);
+    for (; number != 0u; number >>= 1) {
+        if ((number & 1u) != 0u) bits ^= more;
+        more = uvec2(more.x >> 1, more.y ^ more.y >> 1);
+    }
+    return vec2(bits) / 65536.0;
+}
+#endif
+
 IndirectShift indirectShift(ivec2 pixel, int number)
 {
     vec3 more = fract(float(number) * vec3(0.7548777, 0.5698403, 0.6180340));
+#ifdef INDIRECT_TURNS_BITS
+    more.xy = indirectSobol(uint(number * INDIRECT_BLOCK));
+#endif
 #if INDIRECT_ROTATION == 3
     return IndirectShift(vec3(indirectBlue(pixel), indirectBlue(pixel + ivec2(21, 43)), indirectBlue(pixel + ivec2(43, 21))), more);
 #elif INDIRECT_ROTATION == 2
@@ -88,11 +104,10 @@ IndirectShift indirectShift(ivec2 pixel, int number)
 vec2 indirectSample(int i, IndirectShift shift)
 {
 #ifdef INDIRECT_TURNS_BITS
-    vec2 at = vec2(uvec2(65536.0 * indirect_samples[i].xy) ^ uvec2(65536.0 * shift.at.xy)) / 65536.0;
+    return vec2(uvec2(65536.0 * indirect_samples[i].xy) ^ uvec2(65536.0 * shift.at.xy) ^ uvec2(65536.0 * shift.more.xy)) / 65536.0;
 #else
-    vec2 at = indirect_samples[i].xy + shift.at.xy;
+    return fract(indirect_samples[i].xy + shift.at.xy + shift.more.xy);
 #endif
-    return fract(at + shift.more.xy);
 }
 
 // The direction of a sample of the unit square, the normal being z: as dense as its cosine, or everywhere alike.

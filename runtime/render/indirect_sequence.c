@@ -76,6 +76,8 @@ static unsigned power_above(int count)
     return power;
 }
 
+int indirect_sequence_block(const IndirectSequence *of) { return (int)power_above(of->count); }
+
 static void tile_of_sobol(const IndirectSequence *of, unsigned x, unsigned y, double shift[3])
 {
     const unsigned k = woven(x, y), number = k * power_above(of->count);

@@ -4,6 +4,8 @@
  * has all of them. Of Sobol's sequence, 8 x 8 pixels: it is a net, which means that of the 2^m samples from a multiple of 2^m on, each of 2^m equal boxes has one, whichever
  * powers of two its sides are. So pixel k, by the bits of x and y in turn, takes the samples from k n on, n rounded up to a power of two: each 2 x 2 pixels have a net of 4 n, each
  * 4 x 4 one of 16 n, the tile one of 64 n. Sample k n + i is sample i with those bits turned that sample k n has, so that a pixel's shift is one pair of numbers.
+ * Of several sets of samples the j-th is turned by the bits of sample j n as well: so it takes what pixel k with j's bits turned has in the first one. So each set of a tile is a net, and all sets of a
+ * pixel together are one, too.
  * Of the others, 4 x 4 pixels: pixel k, by Bayer's matrix, adds (k / 16 n, mirrored bits of k / 16), modulo 1, which of Hammersley's makes one set of 16 n.
  *
  * Rotation `blue` adds three values of blue noise, modulo 1.
@@ -27,6 +29,8 @@ void indirect_sequence_samples(Word sequence, int count, double (*samples)[2]);
 double indirect_sequence_third(Word sequence, int i);
 /* Shifts repeat after so many pixels; 0: they are not in a table. */
 int indirect_sequence_edge(const IndirectSequence *of);
+/* So many of Sobol's samples a pixel has to itself: the count, rounded up to a power of two. */
+int indirect_sequence_block(const IndirectSequence *of);
 /* Of a pixel: what its samples are shifted by, 0 to 1, and a third number for what is random besides. Of Sobol's and rotation tile the shift is by exclusive or of the first
  * 16 bits, else by addition modulo 1. */
 void indirect_sequence_shift(const IndirectSequence *of, int x, int y, double shift[3]);
