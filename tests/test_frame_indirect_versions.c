@@ -1,0 +1,129 @@
+/* Indirect light where the driver has less than OpenGL 4.3: there is no compute, and there are no voxels. `auto` takes what there is, and says why; what takes voxels is an error by name; pictures are those of newer
+ * drivers. Mesa says that it is older where MESA_GL_VERSION_OVERRIDE does. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EDGE = 48, PIXELS = EDGE * EDGE, TEXT = 2048 };
+
+static const char body[] =
+    "image: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], target: [0, 0, .6], "
+    "angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .6 } }\nlights: [{ light: Point, position: [2, -3, 4], "
+    "intensity: 9, shadows: none }, { light: Ambient, color: .2 }]\nobjects:\n"
+    "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
+    "- { object: Sphere, radius: .5, detail: 24, material: m, transform: { translation: [0, 0, .5] } }\n";
+
+/* Of a frame, and one behind it. NULL: it can't be drawn; *said is why, from malloc; else what it is drawn by. */
+static float *drawn(GlContext *gl, const char *keys, bool twice, char **said)
+{
+    const MatcOptions options = frame_exact_options();
+    char text[TEXT];
+    MatcDocument *document;
+    snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys, body);
+    Scene *scene = frame_scene(text, &options, &document);
+    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
+    float *rgba = calloc(4 * PIXELS, sizeof *rgba);
+    const bool fine = render && rgba && render_scene(render, scene) && render_frame(render) &&
+                      (!twice || render_frame(render)) && render_read(render, rgba);
+    *said = fine ? render_stats(render) : strdup(gl->error);
+    render_close(render);
+    frame_forget(scene, document);
+    if (!fine)
+        free(rgba);
+    return fine ? rgba : NULL;
+}
+
+/* Root of the mean square: of `screen` a sector of 32 may round to the other side. */
+static double apart(const float *a, const float *b)
+{
+    double sum = 0;
+    for (int i = 0; i < 4 * PIXELS; i++)
+        sum += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]);
+    return sqrt(sum / (4 * PIXELS));
+}
+
+static const char *const versions[] = {"3.3", "4.2"};
+static const char *const glsl[] = {"330", "420"};
+
+static GlContext *older(int version)
+{
+    setenv("MESA_GL_VERSION_OVERRIDE", versions[version], 1);
+    setenv("MESA_GLSL_VERSION_OVERRIDE", glsl[version], 1);
+    GlContext *gl = frame_context();
+    unsetenv("MESA_GL_VERSION_OVERRIDE");
+    unsetenv("MESA_GLSL_VERSION_OVERRIDE");
+    return gl;
+}
+
+/* By all methods that go by the picture; each pass over all pixels is a fragment program there, and what is kept of frames is kept. */
+static void pictures_are_the_same(void **state)
+{
+    (void)state;
+    static const char *const keys[] = {"method: march",
+                                       "method: points",
+                                       "method: screen, rotation: blue",
+                                       "method: screen, bounces: 2, filter: atrous",
+                                       "method: screen, history: 4",
+                                       "method: march, march: picture, resolution: half"};
+    enum { KEYS = sizeof keys / sizeof *keys };
+    float *right[KEYS];
+    char *said;
+    GlContext *gl = frame_context();
+    assert_true(gl->major * 10 + gl->minor >= 43);
+    for (int i = 0; i < KEYS; i++) {
+        right[i] = drawn(gl, keys[i], true, &said);
+        assert_true(right[i] && strstr(said, "in compute"));
+        free(said);
+    }
+    gl_close(gl);
+    for (int version = 0; version < 2; version++) {
+        gl = older(version);
+        assert_true(gl->major * 10 + gl->minor < 43);
+        for (int i = 0; i < (version ? 1 : KEYS); i++) {
+            float *rgba = drawn(gl, keys[i], true, &said);
+            if (!rgba)
+                fail_msg("%s", said);
+            const double off = apart(rgba, right[i]);
+            print_message("OpenGL %s, %s: %.2g off\n", versions[version], keys[i], off);
+            assert_true(off < 1e-4 && !strstr(said, "in compute"));
+            free(rgba);
+            free(said);
+        }
+        gl_close(gl);
+    }
+    for (int i = 0; i < KEYS; i++)
+        free(right[i]);
+}
+
+static void voxels_are_missed_by_name(void **state)
+{
+    (void)state;
+    static const char *const keys[] = {"method: voxels", "method: hybrid", "method: march, march: voxels"};
+    GlContext *gl = older(0);
+    char *said;
+    for (int i = 0; i < 3; i++) {
+        assert_null(drawn(gl, keys[i], false, &said));
+        print_message("%s: %s\n", keys[i], said);
+        assert_non_null(strstr(said, "voxels take OpenGL 4.3, and the driver has 3.3"));
+        free(said);
+    }
+    float *rgba = drawn(gl, "method: auto", false, &said);
+    assert_true(rgba && strstr(said, "by the method screen, as voxels take OpenGL 4.3"));
+    free(rgba);
+    free(said);
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pictures_are_the_same),
+                                       cmocka_unit_test(voxels_are_missed_by_name)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
