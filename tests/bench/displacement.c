@@ -285,12 +285,18 @@ static bool measure_programs(GlContext *gl, const Arguments *a)
     return displacement_programs(gl, a->timed, a->most / 4);
 }
 
+static bool measure_table(GlContext *gl, const Arguments *a) { return displacement_table(gl, a->timed, a->most); }
+
 /* -- the command */
 
 static const struct {
     const char *name;
     bool (*measure)(GlContext *, const Arguments *);
-} tables[] = {{"error", measure_error}, {"speed", measure_speed}, {"programs", measure_programs}};
+    bool asked; /* for alone, by its name */
+} tables[] = {{"error", measure_error, false},
+              {"speed", measure_speed, false},
+              {"programs", measure_programs, false},
+              {"table", measure_table, true}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
 static bool read_argument(const char *text, Arguments *a)
@@ -316,7 +322,7 @@ int bench_displacement(int argc, char **argv)
     for (int i = 1; i < argc; i++)
         if (!read_argument(argv[i], &a)) {
             fputs("usage: matbench displacement [--untimed] [--gl=osmesa|egl] [--map=FILE] [--triangles=N] [error] "
-                  "[speed] [programs]\n",
+                  "[speed] [programs] [table]\n",
                   stderr);
             return 2;
         }
@@ -325,7 +331,7 @@ int bench_displacement(int argc, char **argv)
     if (fine && a.timed)
         printf("%s\n", gl->renderer);
     for (int i = 0; fine && i < TABLES; i++)
-        fine = (a.tables && !(a.tables >> i & 1)) || tables[i].measure(gl, &a);
+        fine = !(a.tables ? a.tables >> i & 1 : !tables[i].asked) || tables[i].measure(gl, &a);
     gl_close(gl);
     return !fine;
 }
