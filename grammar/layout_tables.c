@@ -143,9 +143,30 @@ enum {
 #include "layouts.def"
 };
 
-static const CaseRow case_table[] = {
+/* The same of what cases have fixed; behind all there is one of none. */
+static const FixedRow given_table[] = {
+#define GIVEN(layout, slot, value) {SLOT_##slot, {value, value, value, value}},
+#include "layouts.def"
+    {SLOT_COUNT, {0}}};
+enum {
 #define LAYOUT(name, doc, ...)  CASE(name, first, doc)
-#define CASE(layout, name, doc) {&field_table[FIELDS_##layout##_##name], FIELD_COUNT_##layout##_##name, doc},
+#define CASE(layout, name, doc) GIVENS_##layout##_##name, GIVENS_BACK_##layout##_##name = GIVENS_##layout##_##name - 1,
+#define GIVEN(...)              UNIQUE(GIVEN_OF_LINE_, __LINE__),
+#include "layouts.def"
+};
+enum {
+    GIVENS_BEGIN = -1
+#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
+#define CASE(layout, name, doc) , GIVEN_COUNT_##layout##_##name = 0
+#define GIVEN(...)              +1
+#include "layouts.def"
+};
+
+static const CaseRow case_table[] = {
+#define LAYOUT(name, doc, ...) CASE(name, first, doc)
+#define CASE(layout, name, doc)                                                                                        \
+    {&field_table[FIELDS_##layout##_##name], FIELD_COUNT_##layout##_##name, doc,                                       \
+     &given_table[GIVENS_##layout##_##name], GIVEN_COUNT_##layout##_##name},
 #include "layouts.def"
 };
 enum {

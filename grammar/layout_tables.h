@@ -63,17 +63,19 @@ typedef enum {
 #include "layouts.def"
     LAYOUT_COUNT
 } Layout;
-/* The fields of a material that has only some of the slots. */
-typedef struct {
-    const FieldRow *fields;
-    int field_count;
-    const char *doc;
-} CaseRow;
 /* A slot that is the same for all materials: it is not stored, and comes back all the same. */
 typedef struct {
     Slot slot;
     double value[FIELD_LANES];
 } FixedRow;
+/* The fields of a material that has only some of the slots. */
+typedef struct {
+    const FieldRow *fields;
+    int field_count;
+    const char *doc;
+    const FixedRow *fixed; /* what all materials of the case have the same of */
+    int fixed_count;
+} CaseRow;
 /* A user's own layout is such a row too. */
 typedef struct {
     const char *name, *doc;

@@ -30,6 +30,18 @@ Mixing slot_mixing(Slot slot)
     }
 }
 
+Slot slot_weight(Slot slot)
+{
+    switch (slot) {
+#define WEIGHED(slot, by)                                                                                              \
+    case SLOT_##slot:                                                                                                  \
+        return SLOT_##by;
+#include "slots.def"
+    default:
+        return SLOT_COUNT;
+    }
+}
+
 #define NONE                                                                                                           \
     0, { 0 }
 #define D(x)                                                                                                           \

@@ -64,6 +64,8 @@ typedef enum {
 /* How two materials' values are mixed, as slots.def says. */
 typedef enum { MIXING_LINEAR, MIXING_DIRECTION, MIXING_EXPONENT } Mixing;
 Mixing slot_mixing(Slot slot);
+/* The slot by which a side counts; SLOT_COUNT: both count alike. */
+Slot slot_weight(Slot slot);
 
 /* Maps and materials are one enumeration: both are kinds of node with parameters. Materials come first. */
 typedef enum {

@@ -278,7 +278,7 @@ static void constants_come_back(void **state)
     {                                                                                                                  \
         .encoding = ENCODING_##code, .bits = bits_, .count = 1, .source = { {SLOT_##slot, 0} }                         \
     }
-#define CASE_OF(fields) &(CaseRow){fields, sizeof fields / sizeof *fields, ""}, 1, NULL, 0, 0
+#define CASE_OF(fields) &(CaseRow){fields, sizeof fields / sizeof *fields, "", NULL, 0}, 1, NULL, 0, 0
 
 static void try_row(Fixture *f, Document *d, const LayoutRow *row)
 {

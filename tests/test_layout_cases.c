@@ -19,6 +19,7 @@ static unsigned next_random(uint64_t *state)
 
 /* Normal and each of the others with a chance of 1 in `rarity`. */
 enum { OF_PHONG = (1 << SLOT_metalness) - 1 }; /* no material has slots of both models */
+enum { OF_BASES = (1 << SLOT_coat) - 1 };      /* most have no further lobe */
 static unsigned random_slots(uint64_t *state, unsigned rarity)
 {
     unsigned slots = 1u << SLOT_normal;
@@ -127,7 +128,7 @@ static void every_set_finds_a_case(void **state)
         uint64_t random = rarity;
         for (int i = 0; i < COUNT; i++)
             do
-                slots[i] = random_slots(&random, rarity);
+                slots[i] = random_slots(&random, rarity) & OF_BASES;
             while (__builtin_popcount(slots[i]) > 9 - (int)rarity / 2);
         const MatcRanges ranges = join_all(slots, COUNT);
         MatcLayout *layout = layout_of(&ranges);

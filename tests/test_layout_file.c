@@ -24,6 +24,14 @@ static void fields_are_equal(const FieldRow *a, const FieldRow *b)
         assert_true(a->source[i].slot == b->source[i].slot && a->source[i].lane == b->source[i].lane);
 }
 
+static void constants_are_equal(const FixedRow *a, const FixedRow *b, int count)
+{
+    for (int i = 0; i < count; i++) {
+        assert_int_equal(a[i].slot, b[i].slot);
+        assert_memory_equal(a[i].value, b[i].value, (size_t)type_table[slot_table[a[i].slot].type].lanes * sizeof(double));
+    }
+}
+
 static void rows_are_equal(const LayoutRow *a, const LayoutRow *b)
 {
     assert_string_equal(a->name, b->name);
@@ -33,6 +41,8 @@ static void rows_are_equal(const LayoutRow *a, const LayoutRow *b)
     assert_int_equal(a->further_count, b->further_count);
     for (int number = 0; number < a->case_count; number++) {
         assert_string_equal(a->cases[number].doc, b->cases[number].doc);
+        assert_int_equal(a->cases[number].fixed_count, b->cases[number].fixed_count);
+        constants_are_equal(a->cases[number].fixed, b->cases[number].fixed, a->cases[number].fixed_count);
         assert_int_equal(a->cases[number].field_count, b->cases[number].field_count);
         for (int i = 0; i < a->cases[number].field_count; i++)
             fields_are_equal(&a->cases[number].fields[i], &b->cases[number].fields[i]);

@@ -35,7 +35,7 @@ enum {
     LIMIT_BRANCHES = 128,       /* branches within branches of a program; what lies deeper is computed without */
     LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range.c */
     LIMIT_GUARD_DEPTH = 64,     /* of them over one another: each takes half a KiB of stack */
-    LIMIT_LAYOUT_CASES = 16,    /* cases of a layout */
+    LIMIT_LAYOUT_CASES = 32,    /* cases of a layout */
     LIMIT_LAYOUT_FIELDS = 64,   /* fields of a case */
     LIMIT_WORK = 2000000000,    /* steps that the oracle takes for a point's values: oracle_work.c */
     LIMIT_WORK_POINTS = 4,      /* times that for all points that a material is measured at */

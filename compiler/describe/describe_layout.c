@@ -1,6 +1,18 @@
 /* A layout as a page: its targets, then every field of every case with its place, bits, range and error. */
 #include "compiler/describe/describe.h"
 
+static void put_constants(Text *out, const FixedRow *fixed, int count)
+{
+    for (int i = 0; i < count; i++) {
+        text_format(out, "  %-9s  %-42s ", "constant", slot_table[fixed[i].slot].name);
+        for (int lane = 0; lane < type_table[slot_table[fixed[i].slot].type].lanes; lane++) {
+            text_char(out, ' ');
+            text_rounded(out, fixed[i].value[lane], 6);
+        }
+        text_char(out, '\n');
+    }
+}
+
 static void put_pieces(Text *out, const LayoutRow *layout, int number)
 {
     Placement placement;
@@ -21,20 +33,9 @@ static void put_pieces(Text *out, const LayoutRow *layout, int number)
         text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", cells[0].at, cells[1].at, cells[2].at, cells[3].at,
                     cells[4].at);
     }
+    put_constants(out, layout->cases[number].fixed, layout->cases[number].fixed_count);
 }
 
-static void put_constants(Text *out, const LayoutRow *layout)
-{
-    for (int i = 0; i < layout->fixed_count; i++) {
-        const FixedRow *fixed = &layout->fixed[i];
-        text_format(out, "%s  %-9s  %-42s ", i ? "" : "\n", "constant", slot_table[fixed->slot].name);
-        for (int lane = 0; lane < type_table[slot_table[fixed->slot].type].lanes; lane++) {
-            text_char(out, ' ');
-            text_rounded(out, fixed->value[lane], 6);
-        }
-        text_char(out, '\n');
-    }
-}
 
 void describe_layout(Text *out, const LayoutRow *layout)
 {
@@ -47,7 +48,8 @@ void describe_layout(Text *out, const LayoutRow *layout)
                     target + 1 < layout_targets(layout) ? "," : ".\n\n");
     for (int number = 0; number < layout->case_count; number++)
         put_pieces(out, layout, number);
-    put_constants(out, layout);
+    text_put(out, layout->fixed_count ? "\n" : "");
+    put_constants(out, layout->fixed, layout->fixed_count);
     if (!layout_is_whole(layout))
         text_put(out, "\nNo case stores all slots: a material that has more than each of them is refused.\n");
 }

@@ -124,10 +124,10 @@ static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, co
     text_put(out, piece->field->gray ? ");\n" : ";\n");
 }
 
-/* A slot that is not stored: the same for all, or as absent ones are. */
-static void put_known(Text *out, const LayoutRow *layout, Slot slot, const char *indent)
+/* A slot that is not stored: the same for all of the case or the layout, or as absent ones are. */
+static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slot slot, const char *indent)
 {
-    const FixedRow *fixed = layout_fixed(layout, slot);
+    const FixedRow *own = layout_case_fixed(of, slot), *fixed = own ? own : layout_fixed(layout, slot);
     const char *type = type_table[slot_table[slot].type].name;
     text_format(out, "%ssurface.%s = %s(", indent, slot_table[slot].name, type);
     for (int lane = 0; lane < (fixed ? type_table[slot_table[slot].type].lanes : 1); lane++) {
@@ -180,7 +180,7 @@ static void put_case(Text *out, const LayoutRow *layout, int number, const char 
         put_piece(out, layout, &placement.pieces[i], indent, i);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(layout, (Slot)slot) && !layout_case_has_slot(&layout->cases[number], (Slot)slot))
-            put_known(out, layout, (Slot)slot, indent);
+            put_known(out, layout, &layout->cases[number], (Slot)slot, indent);
 }
 
 /* Which case it is. */

@@ -5,6 +5,7 @@
  *     Phong asks Granite for a colour, Granite asks UVTransform for x, y and z, which passes that on: nobody sees its u and v. */
 #include "compiler/formula/formula.h"
 #include "compiler/front/doubt.h"
+#include "grammar/lobe_table.h"
 #include <math.h>
 #include <string.h>
 
@@ -179,7 +180,7 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
         return asked;
     if (strstr(param->name, "hininess"))
         return ASKED_shininess;
-    if (node->kind == KIND_Principled && !param_is_colored((int)(param - param_table)))
+    if ((node->kind == KIND_Principled || node->kind == KIND_Layer) && !param_is_colored((int)(param - param_table)))
         return ASKED_color | ASKED_light; /* a number of any size */
     return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
 }
@@ -271,22 +272,11 @@ static void doubt_back(const Doubts *d, const Node *node)
         diag_add(d->session, height->span, DIAG_back_displacement);
 }
 
-/* What is 0 everywhere. */
-static bool is_zero(const Value *value)
-{
-    if (value->kind == VALUE_node && value->node->kind == KIND_Constant)
-        value = &value->node->params[0];
-    for (int lane = 0; value->kind == VALUE_number && lane < type_table[value->type].lanes; lane++)
-        if (value->number[lane] != 0)
-            return false;
-    return value->kind == VALUE_number || value->kind == VALUE_none;
-}
-
 static void doubt_unstored(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
     for (int i = 0; i < row->count; i++)
-        if (param_is_unstored(row->first + i) && !is_zero(&node->params[i]))
+        if (param_is_unstored(row->first + i) && !value_is_zero(&node->params[i]))
             diag_add(d->session, node->params[i].span, DIAG_unstored, param_table[row->first + i].name, row->name);
 }
 
@@ -294,17 +284,21 @@ static void doubt_unstored(const Doubts *d, const Node *node)
 static void doubt_mixed(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
+    const char *name = node->kind == KIND_MixMaterial ? "Mix" : row->name;
     unsigned models = 0;
     for (int i = 0; i < row->count; i++)
         if (param_table[row->first + i].type == PARAM_Material && node->params[i].kind == VALUE_node)
             models |= d->models[node->params[i].node->index];
-    if (node->kind != KIND_AlgorithmSwitch && models == ((1u << MODEL_Phong) | 1u << MODEL_Principled))
-        diag_add(d->session, node->span, DIAG_mixed_models, node->kind == KIND_MixMaterial ? "Mix" : row->name);
+    if (node->kind == KIND_Layer && models & MODEL_LOBE(LOBE_coat))
+        diag_add(d->session, node->span, DIAG_two_coats);
+    if (node->kind != KIND_AlgorithmSwitch && models >> MODEL_Phong & 1 && models >> MODEL_Principled & 1)
+        diag_add(d->session, node->span, DIAG_mixed_models, name);
     for (int i = 0; i < row->count; i++) {
         const Value *value = &node->params[i];
-        if (node->kind == KIND_MixMaterial && param_table[row->first + i].type == PARAM_Material &&
+        const bool one = node->kind == KIND_MixMaterial || node->kind == KIND_Layer;
+        if (one && param_table[row->first + i].type == PARAM_Material &&
             value->kind == VALUE_node && graph_displaces(value->node))
-            diag_add(d->session, value->node->span, DIAG_mixed_displacement, "Mix", "Mix");
+            diag_add(d->session, value->node->span, DIAG_mixed_displacement, name, name);
     }
 }
 

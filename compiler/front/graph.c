@@ -1,5 +1,6 @@
 /* Numbers of a Graph and the conversion table. */
 #include "compiler/front/graph.h"
+#include "grammar/lobe_table.h"
 #include <string.h>
 
 /* Narrowing to one lane takes the mean, to more the first lanes; widening copies one lane, else fills with 0, alpha with 1. */
@@ -43,6 +44,25 @@ bool graph_displaces(const Node *material)
     return d.height->kind == VALUE_node || d.vector->kind == VALUE_node;
 }
 
+bool value_is_zero(const Value *value)
+{
+    if (value->kind == VALUE_node && value->node->kind == KIND_Constant)
+        value = &value->node->params[0];
+    for (int lane = 0; value->kind == VALUE_number && lane < type_table[value->type].lanes; lane++)
+        if (value->number[lane] != 0)
+            return false;
+    return value->kind == VALUE_number || value->kind == VALUE_none;
+}
+
+/* The parts of a Principled that are not known to be nothing. */
+static unsigned lobes_of(const Node *principled)
+{
+    unsigned lobes = 0;
+    for (int lobe = 0; lobe < LOBE_COUNT; lobe++)
+        lobes |= value_is_zero(node_param(principled, lobe_table[lobe].param)) ? 0 : MODEL_LOBE(lobe);
+    return lobes;
+}
+
 /* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of an AlgorithmSwitch only the first is shown, and
  * a missing front of a SideSwitch is grey. */
 static unsigned models_of(const Graph *graph, const Node *node)
@@ -50,11 +70,13 @@ static unsigned models_of(const Graph *graph, const Node *node)
     const KindRow *row = &kind_table[node->kind];
     unsigned models = 0;
     if (node->kind == KIND_Principled)
-        return 1u << MODEL_Principled;
+        return 1u << MODEL_Principled | lobes_of(node);
+    if (node->kind == KIND_Layer)
+        models |= 1u << MODEL_Principled | MODEL_LOBE(LOBE_coat);
     for (int i = 0; i < row->count && !(models && node->kind == KIND_AlgorithmSwitch); i++)
         if (param_table[row->first + i].type == PARAM_Material)
             models |= node->params[i].kind == VALUE_node ? graph->models[node->params[i].node->index] : 0;
-    return models >> MODEL_Principled & 1 ? 1u << MODEL_Principled : 1u << MODEL_Phong;
+    return models >> MODEL_Principled & 1 ? models & ~(1u << MODEL_Phong) : 1u << MODEL_Phong;
 }
 
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count)

@@ -114,7 +114,7 @@ typedef struct {
     struct Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     int def_count;
     int node_count;
-    unsigned *models; /* by node's index: 1 << Model of the surface model that a material shows */
+    unsigned *models; /* by node's index: 1 << Model of the surface model that a material shows, and MODEL_LOBE of the lobes that it may have */
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
     Names uniform_names; /* theirs, in the same order */
@@ -143,6 +143,8 @@ typedef struct {
 Displacement graph_displacement(const Node *material);
 /* It has a map that moves the surface. */
 bool graph_displaces(const Node *material);
+/* It is 0 everywhere. */
+bool value_is_zero(const Value *value);
 /* Fills graph->models, which has room: of nodes, inputs before users. A missing material is a grey Phong. */
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count);
 

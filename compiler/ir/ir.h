@@ -99,7 +99,7 @@ typedef struct {
 /* What lowering alone knows of the transparency. */
 typedef enum { OPACITY_unknown, OPACITY_opaque, OPACITY_transparent, OPACITY_varying } Opacity;
 
-enum { MOST_OUTPUTS = 16 }; /* render targets, or all slots, with discard and depth */
+enum { MOST_OUTPUTS = 32 }; /* render targets, or all slots, with discard and depth */
 _Static_assert((int)MOST_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
 
 /* What stands for a node that was just made, or the node itself. */

@@ -12,7 +12,14 @@
 enum {
     MOST_WORDS = 4 * LAYOUT_TARGETS,
     MOST_STEPS = 20000, /* of one search: all divisions of eight sets are 4,140 */
+    TRIED = 1 << 12,
 };
+
+/* Whether the slots of a case fit; what was tried last of those that share a place. */
+typedef struct {
+    unsigned slots;
+    bool tried, fits;
+} Tried;
 
 /* A division into so many cases of so many words. */
 typedef struct {
@@ -23,7 +30,7 @@ typedef struct {
     LayoutRow row; /* as large as the cases may be, and so many of them */
     int steps;
     Division *found;
-    uint8_t fits[1 << SLOT_COUNT >> 2]; /* by the slots of a case, four in a byte: 1 it does, 2 it does not, 0 not tried yet */
+    Tried tried[TRIED];
 } Search;
 
 void auto_choose_formats(LayoutRow *row, int words)
@@ -55,11 +62,11 @@ static bool can_fit(const Search *s, unsigned slots)
 
 static bool fits(Search *s, unsigned slots)
 {
-    uint8_t *four = &s->fits[slots >> 2];
-    const unsigned at = 2 * (slots & 3);
-    if (!(*four >> at & 3))
-        *four |= (uint8_t)((can_fit(s, slots) ? 1u : 2u) << at);
-    return (*four >> at & 3) == 1;
+    static const uint32_t spread = 2654435769; /* 2^32 over the golden ratio */
+    Tried *at = &s->tried[(slots * spread >> 16) % TRIED];
+    if (!at->tried || at->slots != slots)
+        *at = (Tried){slots, true, can_fit(s, slots)};
+    return at->fits;
 }
 
 /* Finds a case for the sets from `next` on: one that has it already, one that can take it in, or a new one. */
@@ -100,7 +107,7 @@ static bool divide_into(Search *s, int words, int cases)
     auto_choose_formats(&s->row, words);
     s->row.case_count = cases;
     s->found->count = s->steps = 0;
-    memset(s->fits, 0, sizeof s->fits);
+    memset(s->tried, 0, sizeof s->tried);
     for (int i = 0; i < s->set_count; i++)
         if (!fits(s, s->sets[i]))
             return false;

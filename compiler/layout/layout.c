@@ -50,12 +50,20 @@ const FixedRow *layout_fixed(const LayoutRow *row, Slot slot)
     return NULL;
 }
 
+const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot)
+{
+    for (int i = 0; i < row->fixed_count; i++)
+        if (row->fixed[i].slot == slot)
+            return &row->fixed[i];
+    return NULL;
+}
+
 bool layout_has_slot(const LayoutRow *row, Slot slot)
 {
     if (layout_fixed(row, slot))
         return true;
     for (int i = 0; i < row->case_count; i++)
-        if (layout_case_has_slot(&row->cases[i], slot))
+        if (layout_case_has_slot(&row->cases[i], slot) || layout_case_fixed(&row->cases[i], slot))
             return true;
     return false;
 }

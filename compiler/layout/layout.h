@@ -33,6 +33,8 @@ int layout_targets(const LayoutRow *row);
 int layout_bytes(const LayoutRow *row); /* of a pixel */
 /* A target of it holds words, for which GLSL 1.10 has no type. */
 bool layout_has_words(const LayoutRow *row);
+/* What all materials of a case have the same of; NULL: it is stored, or absent. */
+const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot);
 /* The slot comes back: it is stored by any case, or fixed. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
 /* At least a lane of it is stored by that case. */

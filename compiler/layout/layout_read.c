@@ -246,7 +246,7 @@ static CaseRow read_case(Reader *r, const Tree *object, const char *what, int nu
     r->trees[number] = items;
     for (int i = 0; i < count; i++)
         read_field(r, items[i], &fields[i]);
-    return (CaseRow){fields, count, text_of(r, object, what, "doc", false)};
+    return (CaseRow){.fields = fields, .field_count = count, .doc = text_of(r, object, what, "doc", false)};
 }
 
 /* Further cases stand behind all others, and mark a word. */
@@ -264,10 +264,56 @@ static void read_further(Reader *r, const Tree *object)
     r->row->further_count += yes;
 }
 
+/* A number for all lanes, or one a lane. */
+static void read_constant(Reader *r, const Member *from, FixedRow *fixed)
+{
+    const int lanes = type_table[slot_table[fixed->slot].type].lanes;
+    const Tree *value = from->value;
+    bool fine = value->kind == TREE_list ? value->count == (uint32_t)lanes : value->kind == TREE_scalar;
+    for (int lane = 0; lane < lanes && fine; lane++)
+        fine = tree_number(value->kind == TREE_list ? value->items[lane] : value, &fixed->value[lane]);
+    if (!fine)
+        wrong_type(r, value, from->key, lanes == 1 ? "a number" : "a number or three");
+}
+
+/* Cases that are told: which slots are constants of them. */
+typedef struct {
+    const CaseRow *cases;
+    int count;
+} ConstantOf;
+
+static int read_constants(Reader *r, const Tree *from, const char *owner, ConstantOf of, const FixedRow **rows)
+{
+    const Tree *object = member(r, from, owner, "constants", false);
+    int found = 0;
+    if (!object)
+        return 0;
+    if (object->kind != TREE_object) {
+        wrong_type(r, object, "constants", "an object");
+        return 0;
+    }
+    FixedRow *fixed = ARENA_ARRAY(r->session->arena, FixedRow, object->count + 1);
+    for (uint32_t i = 0; i < object->count; i++) {
+        Tree key = {.kind = TREE_scalar, .span = object->members[i].span, .text = object->members[i].key};
+        int slot = row_of(r, &key, "constants", &slot_names);
+        if (slot < 0)
+            continue;
+        fixed[found].slot = (Slot)slot;
+        read_constant(r, &object->members[i], &fixed[found++]);
+        for (int number = 0; number < of.count; number++)
+            if (layout_case_has_slot(&of.cases[number], (Slot)slot)) {
+                diag_add(r->session, key.span, DIAG_fixed_stored, slot_table[slot].name);
+                fail(r);
+            }
+    }
+    *rows = fixed;
+    return found;
+}
+
 /* The fields of the outermost level, then those of `cases`. */
 static void read_cases(Reader *r, const Tree *file)
 {
-    static const char *const keys[] = {"doc", "further", "fields"};
+    static const char *const keys[] = {"doc", "further", "fields", "constants"};
     int more = 0;
     const ListKey list = {"a layout", "cases", LIMIT_LAYOUT_CASES - 1};
     Tree **items = member(r, file, list.owner, list.key, false) ? items_of(r, file, list, &more) : NULL;
@@ -281,7 +327,9 @@ static void read_cases(Reader *r, const Tree *file)
         }
         check_keys(r, items[i], "a case", keys, sizeof keys / sizeof *keys);
         read_further(r, items[i]);
-        cases[1 + i] = read_case(r, items[i], "a case", 1 + i);
+        CaseRow *own = &cases[1 + i];
+        *own = read_case(r, items[i], "a case", 1 + i);
+        own->fixed_count = read_constants(r, items[i], "a case", (ConstantOf){own, 1}, &own->fixed);
     }
     r->row->cases = cases;
     r->row->case_count = 1 + more;
@@ -295,44 +343,6 @@ static void read_targets(Reader *r, const Tree *file)
         int format = row_of(r, items[i], "targets", &format_names);
         r->row->formats[i] = (Format)(format + 1);
     }
-}
-
-/* A number for all lanes, or one a lane. */
-static void read_constant(Reader *r, const Member *from, FixedRow *fixed)
-{
-    const int lanes = type_table[slot_table[fixed->slot].type].lanes;
-    const Tree *value = from->value;
-    bool fine = value->kind == TREE_list ? value->count == (uint32_t)lanes : value->kind == TREE_scalar;
-    for (int lane = 0; lane < lanes && fine; lane++)
-        fine = tree_number(value->kind == TREE_list ? value->items[lane] : value, &fixed->value[lane]);
-    if (!fine)
-        wrong_type(r, value, from->key, lanes == 1 ? "a number" : "a number or three");
-}
-
-static void read_constants(Reader *r, const Tree *file)
-{
-    const Tree *object = member(r, file, "a layout", "constants", false);
-    if (!object)
-        return;
-    if (object->kind != TREE_object) {
-        wrong_type(r, object, "constants", "an object");
-        return;
-    }
-    FixedRow *fixed = ARENA_ARRAY(r->session->arena, FixedRow, object->count + 1);
-    for (uint32_t i = 0; i < object->count; i++) {
-        Tree key = {.kind = TREE_scalar, .span = object->members[i].span, .text = object->members[i].key};
-        int slot = row_of(r, &key, "constants", &slot_names);
-        if (slot < 0)
-            continue;
-        fixed[r->row->fixed_count].slot = (Slot)slot;
-        read_constant(r, &object->members[i], &fixed[r->row->fixed_count++]);
-        for (int number = 0; number < r->row->case_count; number++)
-            if (layout_case_has_slot(&r->row->cases[number], (Slot)slot)) {
-                diag_add(r->session, key.span, DIAG_fixed_stored, slot_table[slot].name);
-                fail(r);
-            }
-    }
-    r->row->fixed = fixed;
 }
 
 const LayoutRow *layout_read(Session *session, const Tree *tree)
@@ -350,6 +360,7 @@ const LayoutRow *layout_read(Session *session, const Tree *tree)
     }
     read_targets(&r, tree);
     read_cases(&r, tree);
-    read_constants(&r, tree);
+    const ConstantOf all = {r.row->cases, r.row->case_count};
+    r.row->fixed_count = read_constants(&r, tree, "a layout", all, &r.row->fixed);
     return r.fine && layout_check(session, r.row, tree, r.trees) ? r.row : NULL;
 }

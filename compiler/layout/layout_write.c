@@ -48,17 +48,16 @@ static void put_doc(Text *out, const char *before, const char *doc)
     text_char(out, '\n');
 }
 
-static void put_constants(Text *out, const LayoutRow *row)
+static void put_constants(Text *out, const FixedRow *rows, int count, const char *indent)
 {
-    if (row->fixed_count)
-        text_put(out, "constants:\n");
-    for (int i = 0; i < row->fixed_count; i++) {
-        const FixedRow *fixed = &row->fixed[i];
-        const int lanes = type_table[slot_table[fixed->slot].type].lanes;
-        text_format(out, lanes > 1 ? "  %s: [" : "  %s: ", slot_table[fixed->slot].name);
+    if (count)
+        text_format(out, "%sconstants:\n", indent);
+    for (int i = 0; i < count; i++) {
+        const int lanes = type_table[slot_table[rows[i].slot].type].lanes;
+        text_format(out, lanes > 1 ? "%s  %s: [" : "%s  %s: ", indent, slot_table[rows[i].slot].name);
         for (int lane = 0; lane < lanes; lane++) {
             text_put(out, lane ? ", " : "");
-            text_double(out, fixed->value[lane]);
+            text_double(out, rows[i].value[lane]);
         }
         text_put(out, lanes > 1 ? "]\n" : "\n");
     }
@@ -80,9 +79,10 @@ void layout_write(Text *out, const LayoutRow *row)
         put_doc(out, "  - doc: ", row->cases[number].doc);
         if (number >= row->case_count - row->further_count)
             text_put(out, "    further: true\n");
+        put_constants(out, row->cases[number].fixed, row->cases[number].fixed_count, "    ");
         text_put(out, "    fields:\n");
         for (int i = 0; i < row->cases[number].field_count; i++)
             put_field(out, &row->cases[number].fields[i], "      ");
     }
-    put_constants(out, row);
+    put_constants(out, row->fixed, row->fixed_count, "");
 }

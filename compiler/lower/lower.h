@@ -158,6 +158,27 @@ Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2]);
 /* n / |n|; 0 where that has no length. */
 Ref lower_unit(Lower *l, Ref n);
 
+/* The parameters of a coat: of a Principled, or of a Layer. lower_coat.c */
+typedef struct {
+    const Node *of;
+    int weight, color, roughness, ior, darkening, roughening;
+} Coat;
+#define COAT_OF(node, kind)                                                                                            \
+    {                                                                                                                  \
+        node, P_##kind##_coat, P_##kind##_coatColor, P_##kind##_coatRoughness, P_##kind##_coatIor,                     \
+            P_##kind##_coatDarkening, P_##kind##_coatRoughening                                                        \
+    }
+/* One of its slots, over a base of that diffuse colour. */
+Ref lower_coat_slot(Lower *l, const Coat *coat, Slot slot, Ref diffuse, const Env *env);
+/* What lies below it: how rough it looks, what it reflects along the normal, an index of refraction against air given, and what it sends. */
+Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env *env);
+Ref lower_coated_reflectance(Lower *l, const Coat *coat, Ref ior, const Env *env);
+Ref lower_coated_emission(Lower *l, const Coat *coat, Ref sent, const Env *env);
+/* A slot of a lobe, absent where its weight is not above 0. */
+Ref lower_where_there(Ir *ir, Ref weight, Slot slot, Ref value);
+/* ((ior - 1) / (ior + 1))^2 */
+Ref lower_reflectance(Ir *ir, Ref ior);
+
 /* The shading normal as a G-buffer holds it, of eye space or the world, unit length, turned to the viewer. */
 Ref lower_stored_normal(Lower *l, const Node *material, const Env *env);
 /* Writes every render target of the job's layout, by that case of it. lower_layout.c */
@@ -165,6 +186,8 @@ void lower_layout(Lower *l, int number, const Node *material, const Env *env);
 /* The case of the layout that the material takes; their number: none stores all that it has. The IR must simplify, so that
  * constants are seen. */
 int lower_layout_case(Lower *l, const Node *material, const Env *env);
+/* The case that loses the fewest slots, which is said; their number: the layout is not for everything, or none knows the model. */
+int lower_nearest_case(Lower *l, const Node *material, const Env *env);
 /* Says that there is none. */
 void lower_no_case(Lower *l, const Node *material, const Env *env);
 /* The slots that a case of a layout made for a set must store for the material to take it, 1 << slot; alpha is in the

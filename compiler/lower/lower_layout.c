@@ -146,22 +146,69 @@ static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot 
     return layout_is_whole(row) ? !is_absent(l, material, slot, env) : is_needed(l, material, slot, env);
 }
 
-static bool stores_all(Lower *l, const LayoutRow *row, int number, const Node *material, const Env *env)
+/* The slot is the constant that a case gives back. */
+static bool is_given(Lower *l, const Node *material, const FixedRow *fixed, const Env *env)
 {
-    for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (is_stored(row, (Slot)slot) && !layout_case_has_slot(&row->cases[number], (Slot)slot) &&
-            is_asked(l, row, material, (Slot)slot, env))
+    const Ref value = lower_slot(l, material, fixed->slot, env);
+    for (int lane = 0; lane < ir_lanes(l->ir, value); lane++)
+        if (!ir_is(l->ir, value, OP_const) || ir_numbers(l->ir, value)[lane] != fixed->value[lane])
             return false;
     return true;
+}
+
+/* A case neither stores nor gives back what the material has of a slot. */
+static bool is_lost(Lower *l, const CaseRow *of, const Node *material, Slot slot, const Env *env)
+{
+    const LayoutRow *row = l->job->layout;
+    const FixedRow *fixed = layout_case_fixed(of, slot);
+    if (!is_stored(row, slot) || layout_case_has_slot(of, slot))
+        return false;
+    return fixed ? !is_given(l, material, fixed, env) : is_asked(l, row, material, slot, env);
+}
+
+static unsigned lost_slots(Lower *l, int number, const Node *material, const Env *env)
+{
+    unsigned lost = 0;
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        lost |= (unsigned)is_lost(l, &l->job->layout->cases[number], material, (Slot)slot, env) << slot;
+    return lost;
 }
 
 int lower_layout_case(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
     int number = 0;
-    while (number < row->case_count && !stores_all(l, row, number, material, env))
+    while (number < row->case_count && lost_slots(l, number, material, env))
         number++;
     return number;
+}
+
+static const char *names_of(Lower *l, unsigned slots)
+{
+    Text names = text_new(l->session->arena);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (slots >> slot & 1)
+            text_format(&names, names.size ? ", %s" : "%s", slot_table[slot].name);
+    return names.at;
+}
+
+int lower_nearest_case(Lower *l, const Node *material, const Env *env)
+{
+    const LayoutRow *row = l->job->layout;
+    int nearest = row->case_count, fewest = SLOT_COUNT + 1;
+    unsigned least = 0;
+    for (int number = 0; number < row->case_count && layout_is_whole(row); number++) {
+        const unsigned lost = lost_slots(l, number, material, env);
+        const int count = __builtin_popcount(lost);
+        if (lost >> SLOT_model & 1 || count >= fewest)
+            continue;
+        nearest = number;
+        fewest = count;
+        least = lost;
+    }
+    if (nearest < row->case_count)
+        diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_loses, row->name, names_of(l, least));
+    return nearest;
 }
 
 unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env)
@@ -176,11 +223,10 @@ unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env)
 void lower_no_case(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
-    Text slots = text_new(l->session->arena);
+    unsigned slots = 0;
     for (int slot = SLOT_normal + 1; slot < SLOT_COUNT; slot++)
-        if (is_stored(row, (Slot)slot) && is_needed(l, material, (Slot)slot, env))
-            text_format(&slots, slots.size ? ", %s" : "%s", slot_table[slot].name);
-    diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_none, row->name, slots.at);
+        slots |= (unsigned)(is_stored(row, (Slot)slot) && is_needed(l, material, (Slot)slot, env)) << slot;
+    diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_none, row->name, names_of(l, slots));
     l->failed = true;
 }
 

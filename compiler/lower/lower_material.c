@@ -14,7 +14,7 @@ static Ref black(Lower *l) { return build_vec3(l->ir, 0, 0, 0); }
 /* Of a slot that a material has nothing to say of. */
 static Ref nothing(Lower *l, Slot slot)
 {
-    return type_table[slot_table[slot].type].lanes == 1 ? build_float(l->ir, 0) : black(l);
+    return build_all(l->ir, slot_table[slot].type, slot_table[slot].absent);
 }
 
 typedef Ref LowerShader(Lower *l, const Node *material, Slot slot, const Env *env);

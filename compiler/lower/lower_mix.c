@@ -85,6 +85,33 @@ static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int de
     return mixed(l, slot, sides, build_clamp(ir, red, build_float(ir, 0), build_float(ir, 1)));
 }
 
+/* How much the second side counts, as much as it has of the slot that weighs this one: t b / ((1 - t) a + t b). Where both have nothing, t. */
+static Ref weighed(Lower *l, const Node *m, Slot by, Ref t, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref least = build_float(ir, 1e-6), one = build_float(ir, 1);
+    Ref a = side_of_mix(l, m, lower_param_node(m, P_MixMaterial_a), by, env),
+        b = side_of_mix(l, m, lower_param_node(m, P_MixMaterial_b), by, env);
+    if (a == b)
+        return t;
+    const bool alone = ir_is_number(ir, a, 0);
+    a = build_mul(ir, build_sub(ir, one, t), a);
+    b = build_mul(ir, t, b);
+    Ref sum = alone ? b : build_add(ir, a, b);
+    return build_select(ir, build_lt(ir, least, sum), alone ? one : build_div(ir, b, build_max(ir, sum, least)), t);
+}
+
+/* A slot that is of no account without another one. */
+static Ref weighed_mix(Lower *l, const Node *m, Slot slot, Ref red, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref t = build_clamp(ir, red, build_float(ir, 0), build_float(ir, 1));
+    const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);
+    Ref first = build_convert(ir, side_of_mix(l, m, a, slot, env), slot_table[slot].type);
+    Ref second = build_convert(ir, side_of_mix(l, m, b, slot, env), slot_table[slot].type);
+    return first == second ? first : build_mix(ir, first, second, weighed(l, m, slot_weight(slot), t, env));
+}
+
 static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
@@ -94,6 +121,8 @@ static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
     const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);
     if (l->cheap && known && (*known <= 0 || *known >= 1))
         return side_of_mix(l, m, *known <= 0 ? a : b, slot, env);
+    if (slot_weight(slot) != SLOT_COUNT)
+        return weighed_mix(l, m, slot, red, env);
     Ref first = mixed_side(l, &(MixedSide){m, a, build_lt(ir, red, one)}, slot, env);
     Ref second = mixed_side(l, &(MixedSide){m, b, build_lt(ir, zero, red)}, slot, env);
     return first == second ? first : mixed_by(l, slot, (Ref[]){first, second}, mask, MOST_SPLITS);

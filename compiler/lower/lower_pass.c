@@ -154,6 +154,8 @@ static int find_case(Lower *l, const Node *material, const Env *env)
     Env own = pass_env(&probe);
     number = lower_layout_case(&probe, material, &own);
     if (number == none)
+        number = lower_nearest_case(&probe, material, &own);
+    if (number == none)
         lower_no_case(&probe, material, &own);
     l->failed |= probe.failed;
     return number % none;

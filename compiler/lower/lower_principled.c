@@ -13,13 +13,11 @@ static Ref red(Lower *l, const Node *m, int param, const Env *env)
 }
 
 /* weight ((ior - 1) / (ior + 1))^2: Fresnel's formulas along the normal. Without a bound below, -1 would divide by 0. */
-static Ref reflectance(Lower *l, const Node *m, const Env *env)
+static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref ior = build_max(ir, red(l, m, P_Principled_ior, env), build_float(ir, 0)), one = build_float(ir, 1);
-    Ref less = build_sub(ir, ior, one), more = build_add(ir, ior, one);
-    Ref root = build_div(ir, less, more);
-    return build_mul(ir, build_square(ir, root), red(l, m, P_Principled_specular, env));
+    Ref ior = build_max(ir, red(l, m, P_Principled_ior, env), build_float(ir, 0));
+    return build_mul(ir, lower_coated_reflectance(l, coat, ior, env), red(l, m, P_Principled_specular, env));
 }
 
 /* Of metal, `specular` is a factor on all that it reflects. */
@@ -39,9 +37,19 @@ static Ref emission(Lower *l, const Node *m, const Env *env)
     return build_mul(ir, sent, red(l, m, P_Principled_opacity, env));
 }
 
+static Ref fuzz(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    Ref there = red(l, m, P_Principled_fuzz, env);
+    Ref value = slot == SLOT_fuzz        ? there
+                : slot == SLOT_fuzzColor ? color(l, m, P_Principled_fuzzColor, env)
+                                         : red(l, m, P_Principled_fuzzRoughness, env);
+    return lower_where_there(l->ir, there, slot, value);
+}
+
 Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
+    const Coat coat = COAT_OF(m, Principled);
     switch (slot) {
     case SLOT_normal:
         return lower_ask(l, lower_param_node(m, P_Principled_input), GROUP_N, env);
@@ -54,17 +62,26 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
     case SLOT_transparency:
         return build_convert(ir, build_sub(ir, build_float(ir, 1), red(l, m, P_Principled_opacity, env)), TYPE_vec3);
     case SLOT_emissive:
-        return emission(l, m, env);
+        return lower_coated_emission(l, &coat, emission(l, m, env), env);
     case SLOT_ior:
         return env->root[GROUP_IOR];
     case SLOT_metalness:
         return red(l, m, P_Principled_metalness, env);
     case SLOT_roughness:
-        return red(l, m, P_Principled_roughness, env);
+        return lower_coated_roughness(l, &coat, red(l, m, P_Principled_roughness, env), env);
     case SLOT_reflectance:
-        return reflectance(l, m, env);
+        return reflectance(l, m, &coat, env);
     case SLOT_model:
         return build_float(ir, MODEL_Principled);
+    case SLOT_coat:
+    case SLOT_coatTint:
+    case SLOT_coatRoughness:
+    case SLOT_coatReflectance:
+        return lower_coat_slot(l, &coat, slot, base(l, m, env), env);
+    case SLOT_fuzz:
+    case SLOT_fuzzColor:
+    case SLOT_fuzzRoughness:
+        return fuzz(l, m, slot, env);
     default:
         return build_all(ir, slot_table[slot].type, slot_table[slot].absent);
     }

@@ -162,6 +162,14 @@ Answer oracle_volume; /* LOWERING_VOLUME */
 #include "grammar/maps.def"
 #undef DECLARE_OWN
 #undef DECLARE_VOLUME
+/* What materials share. oracle_material.c */
+void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3]); /* of a parameter's map */
+void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result); /* unit length, on the side that is seen */
+const Node *oracle_material_of(const Node *material, int param); /* NULL: there is none */
+/* Of a side of a whole, which may have another model. */
+void oracle_answer_as(Environment *environment, const Node *whole, const Node *side, SlotValues *result);
+bool oracle_is_principled(const Environment *environment, const Node *material);
+void oracle_as_principled(SlotValues *side); /* of a Phong's slots. oracle_principled.c */
 /* What a material answers, over the values of a neutral one. oracle_material.c */
 #define DECLARE_SHADER(name) void oracle_##name(Environment *environment, const Node *material, SlotValues *result);
 /* The material that a switch stands for, seen of one side; NULL: it is missing. */

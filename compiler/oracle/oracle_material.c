@@ -38,8 +38,7 @@ static void set_colour(SlotValues *result, Slot slot, const double rgb[3])
     memcpy(result->lane[slot], rgb, 3 * sizeof *rgb);
 }
 
-/* R, G and B of a parameter's map. */
-static void ask_colour(Environment *environment, const Node *node, int param, double rgb[3])
+void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3])
 {
     for (int lane = 0; lane < 3; lane++)
         rgb[lane] = oracle_ask_param(environment, node, param, channel_id(GROUP_R, lane));
@@ -47,11 +46,10 @@ static void ask_colour(Environment *environment, const Node *node, int param, do
 
 static void slot_colour(Environment *environment, const Node *node, int param, Slot slot, SlotValues *result)
 {
-    ask_colour(environment, node, param, result->lane[slot]);
+    oracle_ask_colour(environment, node, param, result->lane[slot]);
 }
 
-/* Unit length, on the side that is seen. */
-static void set_normal(const Environment *environment, const double normal[3], SlotValues *result)
+void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result)
 {
     double *lane = result->lane[SLOT_normal];
     oracle_call(environment, FN_safeNormalize, normal, lane);
@@ -65,8 +63,10 @@ static void set_normal(const Environment *environment, const double normal[3], S
 static void set_neutral(const Environment *environment, SlotValues *result)
 {
     memset(result, 0, sizeof *result);
-    set_normal(environment, &environment->surface->root[channel_id(GROUP_N, 0)], result);
+    oracle_set_normal(environment, &environment->surface->root[channel_id(GROUP_N, 0)], result);
     result->lane[SLOT_alpha][0] = 1;
+    for (int lane = 0; lane < 3; lane++)
+        result->lane[SLOT_coatTint][lane] = 1;
     result->lane[SLOT_shininess][0] = DEFAULT_EXPONENT;
     result->lane[SLOT_transparencyShininess][0] = GREATEST_EXPONENT;
     result->lane[SLOT_interpolatedTransparency][0] = 1;
@@ -104,7 +104,7 @@ static void transparency(Environment *environment, const Node *material, SlotVal
 {
     double alpha = oracle_ask_param(environment, material, P_Phong_diffuse, channel_id(GROUP_R, 3));
     double colour[3];
-    ask_colour(environment, material, P_Phong_transparency, colour);
+    oracle_ask_colour(environment, material, P_Phong_transparency, colour);
     result->lane[SLOT_alpha][0] = alpha;
     for (int i = 0; i < 3; i++)
         result->lane[SLOT_transparency][i] = 1 + alpha * (colour[i] - 1);
@@ -116,7 +116,7 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
     double normal[3];
     for (int i = 0; i < 3; i++)
         normal[i] = oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_N, i));
-    set_normal(environment, normal, result);
+    oracle_set_normal(environment, normal, result);
     result->lane[SLOT_ior][0] = oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_IOR, 0));
     slot_colour(environment, material, P_Phong_diffuse, SLOT_diffuse, result);
     slot_colour(environment, material, P_Phong_specular, SLOT_specular, result);
@@ -127,37 +127,6 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
     exponent(environment, material, P_Phong_shininess, SLOT_shininess, result);
     exponent(environment, material, P_Phong_transparencyShininess, SLOT_transparencyShininess, result);
     result->lane[SLOT_interpolatedTransparency][0] = oracle_number(material, P_Phong_interpolatedTransparency) != 0;
-}
-
-static double ask_red(Environment *environment, const Node *material, int param)
-{
-    return oracle_ask_param(environment, material, param, channel_id(GROUP_R, 0));
-}
-
-/* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the weight of that as a factor on its colour. */
-void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
-{
-    double normal[3], colour[3];
-    for (int i = 0; i < 3; i++)
-        normal[i] = oracle_ask_param(environment, material, P_Principled_input, channel_id(GROUP_N, i));
-    set_normal(environment, normal, result);
-    const double metal = ask_red(environment, material, P_Principled_metalness);
-    const double weight = ask_red(environment, material, P_Principled_specular);
-    const double opacity = ask_red(environment, material, P_Principled_opacity);
-    const double ior = fmax(ask_red(environment, material, P_Principled_ior), 0), root = (ior - 1) / (ior + 1);
-    ask_colour(environment, material, P_Principled_baseColor, colour);
-    for (int i = 0; i < 3; i++)
-        result->lane[SLOT_diffuse][i] = colour[i] * ask_red(environment, material, P_Principled_baseWeight) * (1 - metal + metal * weight);
-    ask_colour(environment, material, P_Principled_emissionColor, colour);
-    for (int i = 0; i < 3; i++)
-        result->lane[SLOT_emissive][i] = opacity * colour[i] * ask_red(environment, material, P_Principled_emission);
-    slot_colour(environment, material, P_Principled_specularColor, SLOT_specular, result);
-    set_colour(result, SLOT_transparency, (double[3]){1 - opacity, 1 - opacity, 1 - opacity});
-    result->lane[SLOT_alpha][0] = opacity;
-    result->lane[SLOT_metalness][0] = metal;
-    result->lane[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
-    result->lane[SLOT_reflectance][0] = weight * root * root;
-    result->lane[SLOT_model][0] = MODEL_Principled;
 }
 
 /* Arguments of skyRadiance: the view direction (of any length), the sun's, zenith over F(0, theta of the sun), and A to E. */
@@ -178,8 +147,7 @@ void oracle_SunSkyLight(Environment *environment, const Node *material, SlotValu
     oracle_call(environment, FN_skyRadiance, &args[0][0], result->lane[SLOT_emissive]);
 }
 
-/* The material that a parameter holds; NULL when there is none. */
-static const Node *material_of(const Node *material, int param)
+const Node *oracle_material_of(const Node *material, int param)
 {
     const Value *value = node_param(material, param);
     return value->kind == VALUE_node ? value->node : NULL;
@@ -188,8 +156,8 @@ static const Node *material_of(const Node *material, int param)
 /* A missing back is the front; a missing front stays missing, whatever the back is. */
 const Node *oracle_choose_SideSwitch(const Node *material, bool front)
 {
-    const Node *back = front ? NULL : material_of(material, P_SideSwitch_backShader);
-    return back ? back : material_of(material, P_SideSwitch_frontShader);
+    const Node *back = front ? NULL : oracle_material_of(material, P_SideSwitch_backShader);
+    return back ? back : oracle_material_of(material, P_SideSwitch_frontShader);
 }
 
 const Node *oracle_choose_AlgorithmSwitch(const Node *material, bool front)
@@ -198,7 +166,7 @@ const Node *oracle_choose_AlgorithmSwitch(const Node *material, bool front)
     const int order[] = {P_AlgorithmSwitch_guiShader, P_AlgorithmSwitch_raytracerShader,
                          P_AlgorithmSwitch_radiationShader};
     for (int i = 0; i < 3; i++) {
-        const Node *choice = material_of(material, order[i]);
+        const Node *choice = oracle_material_of(material, order[i]);
         if (choice)
             return choice;
     }
@@ -220,75 +188,6 @@ const Node *oracle_displaced(const Node *material)
     return material;
 }
 
-static double roughness_of(double exponent) { return sqrt(sqrt(2 / (exponent + 2))); }
-
-/* From a slot of a's to that of b's. */
-static void mix_slot(const Environment *environment, Slot slot, const SlotValues sides[2], double t, SlotValues *result)
-{
-    const double *a = sides[0].lane[slot], *b = sides[1].lane[slot];
-    double *mean = result->lane[slot];
-    if (!memcmp(a, b, sizeof sides[0].lane[slot])) {
-        memcpy(mean, a, sizeof sides[0].lane[slot]);
-        return;
-    }
-    for (int i = 0; i < 3; i++)
-        mean[i] = a[i] * (1 - t) + b[i] * t;
-    if (slot_mixing(slot) == MIXING_DIRECTION) {
-        const double side = environment->surface->front ? 1 : -1;
-        const double turned[3] = {side * mean[0], side * mean[1], side * mean[2]};
-        set_normal(environment, turned, result);
-    } else if (slot_mixing(slot) == MIXING_EXPONENT) {
-        const double r = roughness_of(a[0]) * (1 - t) + roughness_of(b[0]) * t;
-        mean[0] = fmin(fmax(2 / (r * r * r * r) - 2, 0), GREATEST_EXPONENT);
-    }
-}
-
-static bool is_principled(const Environment *environment, const Node *material)
-{
-    const unsigned *models = environment->oracle->graph->models;
-    return material && models && models[material->index] >> MODEL_Principled & 1;
-}
-
-/* A Phong's slots become those of the Principled that stands for it: it reflects as much along the normal, and as wide. */
-static void as_principled(SlotValues *side)
-{
-    static const double LEAST_TINT = 1e-6;
-    const double *specular = side->lane[SLOT_specular], share = 2 / (side->lane[SLOT_shininess][0] + 2);
-    const double most = fmax(fmax(specular[0], fmax(specular[1], specular[2])), 0);
-    static const Slot lost[] = {SLOT_shininess, SLOT_transparencyShininess, SLOT_interpolatedTransparency, SLOT_diffuseTransparency,
-                                SLOT_ambient};
-    for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
-        for (int lane = 0; lane < type_table[slot_table[lost[i]].type].lanes; lane++)
-            side->lane[lost[i]][lane] = slot_table[lost[i]].absent;
-    for (int lane = 0; lane < 3; lane++)
-        side->lane[SLOT_specular][lane] = (side->lane[SLOT_specular][lane] + LEAST_TINT) / (most + LEAST_TINT);
-    side->lane[SLOT_roughness][0] = sqrt(sqrt(share));
-    side->lane[SLOT_reflectance][0] = most * share;
-    side->lane[SLOT_model][0] = MODEL_Principled;
-}
-
-/* A side by the model that the whole has. */
-static void answer_as(Environment *environment, const Node *whole, const Node *side, SlotValues *result)
-{
-    answer(environment, side, result);
-    if (is_principled(environment, whole) && result->lane[SLOT_model][0] != MODEL_Principled)
-        as_principled(result);
-}
-
-/* A material that stands in a Mix twice, and so on, is asked as often: what that takes is bounded as all work is. */
-void oracle_MixMaterial(Environment *environment, const Node *material, SlotValues *result)
-{
-    SlotValues sides[2];
-    oracle_spend(environment, ANSWER_WORK);
-    if (oracle_spent(environment->oracle))
-        return;
-    const double red = oracle_ask_param(environment, material, P_MixMaterial_mask, channel_id(GROUP_R, 0));
-    answer_as(environment, material, material_of(material, P_MixMaterial_a), &sides[0]);
-    answer_as(environment, material, material_of(material, P_MixMaterial_b), &sides[1]);
-    for (int slot = 0; slot < SLOT_COUNT; slot++)
-        mix_slot(environment, (Slot)slot, sides, fmin(fmax(red, 0), 1), result);
-}
-
 static void answer(Environment *environment, const Node *material, SlotValues *result)
 {
     set_neutral(environment, result);
@@ -297,8 +196,16 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
         shaders[shader->kind](environment, shader, result);
     else
         missing(result);
-    if (is_principled(environment, material) && result->lane[SLOT_model][0] != MODEL_Principled)
-        as_principled(result);
+    if (oracle_is_principled(environment, material) && result->lane[SLOT_model][0] != MODEL_Principled)
+        oracle_as_principled(result);
+}
+
+/* A side by the model that the whole has. */
+void oracle_answer_as(Environment *environment, const Node *whole, const Node *side, SlotValues *result)
+{
+    answer(environment, side, result);
+    if (oracle_is_principled(environment, whole) && result->lane[SLOT_model][0] != MODEL_Principled)
+        oracle_as_principled(result);
 }
 
 /* A shape is the same for all who look at it: where it is asked for, the direction to the viewer is the normal. */

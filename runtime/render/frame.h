@@ -135,6 +135,7 @@ struct Render {
     MatcOptions compile;
     RenderOptions options;
     const SurfaceModel *surface;
+    char surface_lacks[SURFACE_MODEL_DEFINITIONS];
     const VolumeView *look; /* the view, if it is one of these; or NULL */
     const Scene *scene;
     RenderParam *params; /* that were set since the scene was given */

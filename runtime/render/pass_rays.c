@@ -41,12 +41,14 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
     indirect_planes_define(render, planes);
     const SurfaceModel none = {.text = ""}, *of = again ? render->surface : &none;
     const ScreenPassText text = {.body = {indirect_surface_text(render),
+                                          again ? render->surface_lacks : "",
                                           of->text,
                                           surface_model_more(of, 0),
                                           surface_model_more(of, 1),
                                           surface_model_more(of, 2),
                                           surface_model_more(of, 3),
                                           surface_model_more(of, 4),
+                                          surface_model_more(of, 5),
                                           defined,
                                           again ? "#define INDIRECT_AGAIN\n" : "",
                                           levels   ? "#define INDIRECT_VOXELS\n#define INDIRECT_LEVELS\n"

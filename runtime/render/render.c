@@ -138,6 +138,7 @@ static bool make_set(Render *render, const Scene *scene)
         render->set.unpack ? set_layout(&render->set, &render->compile) : NULL; /* a sky alone has no surface */
     if (!render->options.surface)
         render->surface = surface_model_of(layout, scene_models(scene));
+    surface_model_define(scene_models(scene), render->surface_lacks);
     for (int i = 0; render->options.opaque && i < render->set.count; i++) {
         render->set.programs[i].transparent = false;
         render->set.programs[i].caster = -1;

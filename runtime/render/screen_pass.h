@@ -6,7 +6,7 @@
 #include "runtime/gl/screen.h"
 #include "runtime/render/material.h"
 
-enum { SCREEN_PASS_PIECES = 30 };
+enum { SCREEN_PASS_PIECES = 32 };
 _Static_assert((int)SCREEN_PASS_PIECES + 2 <= (int)PROGRAM_PIECES, "a head before them, an entry behind");
 
 typedef struct {

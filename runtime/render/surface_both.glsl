@@ -7,8 +7,6 @@ struct Lit {
     principledLit other;
 };
 
-vec3 surfaceThrough(Surface s) { return phongThrough(s); } // both let through what their transparency says
-
 Lit surfaceLit(Surface s, vec3 toEye)
 {
     Lit m;
@@ -66,10 +64,10 @@ vec3 surfaceHemisphere(Lit m)
 vec3 surfaceArea(Lit m, Area light)
 {
     vec3 sum = vec3(0.0);
-    int sides = m.principled ? 1 : phongAreaSides(m.phong);
+    int sides = m.principled ? principledAreaSides(m.other) : phongAreaSides(m.phong);
     for (int i = 0; i < sides; i++) {
         AreaSide side;
-        if (m.principled) side = principledAreaSide(m.other);
+        if (m.principled) side = principledAreaSide(m.other, i);
         else side = phongAreaSide(m.phong, i);
         sum += areaOfSide(light, side);
     }

@@ -18,7 +18,7 @@
  * once; compilers take seconds for each:
  *
  *     int surfaceAreaSides(Lit m), AreaSide surfaceAreaSide(Lit m, int i)    Phong: the eye's side, and behind it what lets light through
- *     AreaSide surfaceAreaSide(Lit m)                                        Principled
+ *     the same                                                               Principled: what its base sends, and its coat
  *
  * Where there are many lights, a model with `parts` has those that are far summed for many pixels at once. Its lobe is then, for light from the side of
  * the eye, the cosine times E + G max(w.l, 0)^n; light from the other side is nothing, if it lets none through:
@@ -31,8 +31,9 @@
 #ifndef MATC_SURFACE_MODEL_H
 #define MATC_SURFACE_MODEL_H
 #include "grammar/layout_tables.h"
+#include "grammar/lobe_table.h"
 
-enum { SURFACE_MODEL_MORE = 5 };
+enum { SURFACE_MODEL_MORE = 6, SURFACE_MODEL_DEFINITIONS = 40 * LOBE_COUNT + 1 };
 typedef struct {
     const char *name;
     const char *text;
@@ -43,6 +44,8 @@ typedef struct {
 extern const SurfaceModel surface_model_phong, surface_model_principled;
 /* The model of surfaces that a layout holds, or one of them all, where it holds several and so do `models`, bits 1 << Model; NULL: of no surface. */
 const SurfaceModel *surface_model_of(const LayoutRow *layout, unsigned models);
+/* SURFACE_LACKS_<lobe> for each that no material has, by bits as above and MODEL_LOBE: what a scene lacks is not in its programs. */
+void surface_model_define(unsigned models, char text[SURFACE_MODEL_DEFINITIONS]);
 /* "" where there is none. */
 const char *surface_model_more(const SurfaceModel *model, int i);
 #endif

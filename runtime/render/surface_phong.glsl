@@ -5,16 +5,6 @@ struct Lit {
     float shininess, straightness;
 };
 
-// The share of the light behind it that passes, straight on: nothing is refracted, so that Fresnel's reflection is 0.
-vec3 surfaceThrough(Surface s)
-{
-#ifdef SURFACE_HAS_transparency
-    return s.transparency;
-#else
-    return vec3(0.0);
-#endif
-}
-
 Lit surfaceLit(Surface s, vec3 toEye)
 {
     const vec3 NONE = vec3(0.0);

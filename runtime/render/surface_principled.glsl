@@ -8,11 +8,27 @@
 // Fresnel's formulas are Schlick's, with white at the horizon; of metal with an edge tint, its reflection at 82 degrees (Hoffman 2019; OpenPBR
 // 1.1). What a layout lacks is as slots.def says of absent slots. Area lights and skies meet a stand-in for the lobe, Phong's, as wide around
 // the mirrored direction, of as much light as GGX sends of light from all around: it is exact where light is the same all around.
+#if defined(SURFACE_HAS_coat) && !defined(SURFACE_LACKS_coat)
+#define LIT_COAT
+#endif
+#if defined(SURFACE_HAS_fuzz) && !defined(SURFACE_LACKS_fuzz)
+#define LIT_FUZZ
+#endif
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // the share of what was reflected twice and more, of metal
     vec3 even, gloss; // what it sends of light from all around: diffusely, by reflection
     float metal, alpha, rough, cosine, reflectance, again, kept, lossOfEye, baseOfEye, meanLoss, meanBase;
+    float grazing; // how much of light from all around is reflected because it grazes
+#ifdef LIT_COAT
+    vec3 coatTint;
+    float coat, coatShine, coatAlpha, coatRough, coatReflectance, coatGloss;
+    float coatOfEye, coatMean, coatMatt; // what is let through: of the eye's light, in the mean, in the mean of what goes on to the base
+#endif
+#ifdef LIT_FUZZ
+    vec3 fuzzColor; // its weight in it
+    float fuzz, fuzzRough, fuzzOfEye, fuzzMean, fuzzMatt; // the same
+#endif
 };
 
 // Albedos of the lobe with Fresnel's term 1: x is 1 - E, what is lost to facets behind others, y the part of E that Schlick's (1 - cosine)^5 has.
@@ -56,15 +72,115 @@ vec2 meanAlbedo(float alpha, float rough)
     return sum;
 }
 
-// The share of light that the layers above let through.
-vec3 surfaceThrough(Surface s)
+// GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the header; h is the half vector.
+float facets(float alpha, vec3 normal, vec3 h, float cosine, float eye)
 {
-#ifdef SURFACE_HAS_transparency
-    return s.transparency;
-#else
-    return vec3(0.0);
+    float alpha2 = alpha * alpha, high = dot(normal, h);
+    vec3 across = cross(normal, h);
+    float width = alpha2 * high * high + dot(across, across); // of small angles, too
+    float masked = cosine * sqrt(alpha2 + (1.0 - alpha2) * eye * eye) + eye * sqrt(alpha2 + (1.0 - alpha2) * cosine * cosine);
+    return 0.5 * cosine * alpha2 / (width * width * masked);
+}
+
+#if defined(LIT_COAT) || defined(LIT_FUZZ)
+// What a layer leaves of light that goes in by one direction and out by another, by what it lets through of each, and of all in the mean: the same when
+// both change places. A mirror below has the same share both ways, which counts once; what is sent evenly counts the one over the mean, times the
+// other. A rough mirror is between: `even` was fitted so that white below stays white within 0.03 (tests/test_principled.c).
+float veil(float through, float eye, float mean, float even)
+{
+    return through * eye * inversesqrt(max(mix(through, mean, even) * mix(eye, mean, even), 1e-8));
+}
+
+float evenOf(float rough) { return 0.85 * smoothstep(0.05, 0.75, rough); }
+#endif
+
+#ifdef LIT_FUZZ
+// All that fuzz of weight 1 sends of light from a direction: a polynomial, fitted to integrals of its lobe within 0.005 for cosines from 0.04 on.
+float fuzzAlbedo(float cosine, float rough)
+{
+    vec4 r = vec4(1.0, rough, rough * rough, rough * rough * rough);
+    float x = sqrt(cosine);
+    return clamp(dot(r, vec4(1.56415816, -3.06939249, 3.85871481, -1.6926477)) +
+        x * (dot(r, vec4(-2.30757704, 6.7952917, -9.34145144, 4.31469007)) +
+        x * (dot(r, vec4(-0.372148166, 0.129239755, 1.2437114, -0.989127772)) +
+        x * dot(r, vec4(1.08179061, -3.5441627, 4.07626323, -1.60441801)))), 0.0, 1.0);
+}
+
+float fuzzMean(float r) { return 0.0881620773 + r * (0.42777512 + r * (-0.456029773 + r * 0.182884797)); }
+
+// Fibres that stand up, by the sine of the half angle (Estevez and Kulla 2017), masked as Neubelt and Pettineo have it.
+float fibres(float rough, float high, float cosine, float eye)
+{
+    float power = 0.5 / rough;
+    return 0.5 * cosine * (1.0 + power) * pow(max(1.0 - high * high, 1e-6), power) / (2.0 * (cosine + eye - cosine * eye));
+}
+#endif
+
+#ifdef LIT_COAT
+// What the coat reflects of all that arrives from a direction; light that it reflects more than once goes to what lies below.
+float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - albedo.x, reflectance); }
+
+// Means of albedo over all directions, by polynomials in the roughness: of what a coat reflects within 0.0005.
+vec2 coatMeans(float rough)
+{
+    float r = rough;
+    return clamp(vec2(0.00146749718 + r * (-0.0284925137 + r * (-0.0733768949 + r * (1.71938923 - r * 1.02655571))),
+                      0.0481269953 + r * (0.0686805341 + r * (-0.537455356 + r * (0.716137831 - r * 0.292122978)))), 0.0, 1.0);
+}
+
+void litCoat(Surface s, inout Lit m)
+{
+    m.coat = m.coatShine = clamp(s.coat, 0.0, 1.0);
+    m.coatTint = vec3(1.0);
+    m.coatRough = m.coatReflectance = 0.0;
+#ifdef SURFACE_HAS_coatTint
+    m.coatTint = clamp(s.coatTint, 0.0, 1.0);
+#endif
+#ifdef SURFACE_HAS_coatRoughness
+    m.coatRough = s.coatRoughness;
+#endif
+#ifdef SURFACE_HAS_coatReflectance
+    m.coatReflectance = clamp(s.coatReflectance, 0.0, 1.0);
+#endif
+    m.coatRough = clamp(m.coatRough, 0.0316227766, 1.0);
+    m.coatAlpha = m.coatRough * m.coatRough;
+    m.coatOfEye = 1.0 - m.coat * coatAlbedo(albedo(m.cosine, m.coatAlpha, m.coatRough), m.coatReflectance);
+    vec2 mean = coatMeans(m.coatRough);
+    m.coatMean = max(1.0 - m.coat * coatAlbedo(mean, m.coatReflectance), 1e-3);
+    m.coatMatt = m.coatMean + 1.4 * (1.0 - m.coatRough) * (1.0 - m.coatMean) * m.grazing; // both keep off what grazes: once is enough
+    m.grazing += m.coat * (1.0 - m.coatReflectance) * mean.y;
+    m.coatGloss = m.kept * (1.0 - m.coatOfEye);
+    m.even *= m.coatTint * m.coatOfEye;
+    m.gloss *= m.coatTint * m.coatOfEye;
+    m.emissive *= m.coatOfEye;
+}
+#endif
+
+#ifdef LIT_FUZZ
+void litFuzz(Surface s, inout Lit m)
+{
+    m.fuzz = clamp(s.fuzz, 0.0, 1.0);
+    m.fuzzColor = vec3(0.0);
+    m.fuzzRough = 0.0;
+#ifdef SURFACE_HAS_fuzzColor
+    m.fuzzColor = m.fuzz * clamp(s.fuzzColor, 0.0, 1.0);
+#endif
+#ifdef SURFACE_HAS_fuzzRoughness
+    m.fuzzRough = s.fuzzRoughness;
+#endif
+    m.fuzzRough = clamp(m.fuzzRough, 0.2, 1.0); // narrower fibres of that lobe would send more than arrives
+    float r = m.fuzzRough, sent = fuzzAlbedo(m.cosine, r);
+    m.fuzzOfEye = 1.0 - m.fuzz * sent;
+    m.fuzzMean = 1.0 - m.fuzz * fuzzMean(r);
+    m.fuzzMatt = m.fuzzMean + (1.4 - r) * (1.0 - m.fuzzMean) * m.grazing;
+    m.even = m.even * m.fuzzOfEye + m.kept * sent * m.fuzzColor;
+    m.gloss *= m.fuzzOfEye;
+    m.emissive *= m.fuzzOfEye;
+#ifdef LIT_COAT
+    m.coatGloss *= m.fuzzOfEye;
 #endif
 }
+#endif
 
 Lit surfaceLit(Surface s, vec3 toEye)
 {
@@ -119,11 +235,29 @@ Lit surfaceLit(Surface s, vec3 toEye)
         m.dip * (m.cosine * rest3 * rest3 * (1.0 - eye.x));
     m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * m.base;
     m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
+    m.grazing = (1.0 - m.reflectance) * mean.y;
+#ifdef LIT_COAT
+    litCoat(s, m);
+#endif
+#ifdef LIT_FUZZ
+    litFuzz(s, m);
+#endif
     return m;
 }
 
 vec3 surfaceOwn(Lit m) { return m.emissive; }
-vec3 surfaceAmbient(Lit m, vec3 ambient) { return (m.even + m.gloss) * ambient; }
+
+// What it reflects of light from all around, the coat's share too.
+vec3 glossAround(Lit m)
+{
+#ifdef LIT_COAT
+    return m.gloss + m.coatGloss;
+#else
+    return m.gloss;
+#endif
+}
+
+vec3 surfaceAmbient(Lit m, vec3 ambient) { return (m.even + glossAround(m)) * ambient; }
 vec3 surfaceEven(Lit m) { return m.even; }
 
 // Without its tint nothing is reflected by the dielectric; metal reflects alone.
@@ -132,6 +266,9 @@ Lit surfaceMatt(Lit m)
     m.base *= 1.0 - m.metal;
     m.metal = 0.0;
     m.tint = m.gloss = vec3(0.0);
+#ifdef LIT_COAT
+    m.coatShine = m.coatGloss = 0.0;
+#endif
     return m;
 }
 
@@ -141,43 +278,97 @@ vec3 surfaceLobe(Lit m, vec3 l)
     if (cosine <= 0.0) return vec3(0.0);
     vec3 between = l + m.toEye;
     vec3 h = between * inversesqrt(max(dot(between, between), 1e-12));
-    float alpha2 = m.alpha * m.alpha, high = dot(m.normal, h), facing = clamp(dot(h, l), 0.0, 1.0);
-    vec3 across = cross(m.normal, h);
-    float width = alpha2 * high * high + dot(across, across); // of small angles, too
-    float masked = cosine * sqrt(alpha2 + (1.0 - alpha2) * m.cosine * m.cosine) +
-        m.cosine * sqrt(alpha2 + (1.0 - alpha2) * cosine * cosine);
-    float once = 0.5 * cosine * alpha2 / (width * width * masked);
-
+    float facing = clamp(dot(h, l), 0.0, 1.0), rest = 1.0 - facing, rest5 = rest * rest * rest * rest * rest;
+    float once = facets(m.alpha, m.normal, h, cosine, m.cosine);
     vec2 own = albedo(cosine, m.alpha, m.rough);
     float again = cosine * own.x * m.lossOfEye / m.meanLoss;
-    float rest = 1.0 - facing, rest5 = rest * rest * rest * rest * rest;
     float matt = cosine * (1.0 - reflectedOf(own, m.reflectance, m.again)) * m.baseOfEye / m.meanBase;
+#if defined(LIT_COAT) || defined(LIT_FUZZ)
+    float even = evenOf(m.rough);
+    vec2 left = vec2(1.0); // of what is sent evenly, and of reflections
+#ifdef LIT_COAT
+    float coat = 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatAlpha, m.coatRough), m.coatReflectance);
+    left *= vec2(coat * m.coatOfEye / m.coatMatt, veil(coat, m.coatOfEye, m.coatMean, even));
+#endif
+#ifdef LIT_FUZZ
+    float fuzz = 1.0 - m.fuzz * fuzzAlbedo(cosine, m.fuzzRough);
+    left *= vec2(fuzz * m.fuzzOfEye / m.fuzzMatt, veil(fuzz, m.fuzzOfEye, m.fuzzMean, even));
+#endif
+    matt *= left.x;
+    again *= left.x;
+    once *= left.y;
+#endif
     vec3 dielectric = matt * m.base + m.tint * (once * mix(rest5, 1.0, m.reflectance) + again * m.again);
     vec3 fresnel = max(mix(vec3(rest5), vec3(1.0), m.base) - m.dip * (facing * rest5 * rest), 0.0);
-    return m.kept * mix(dielectric, once * fresnel + again * m.metalAgain, m.metal);
+    vec3 sum = mix(dielectric, once * fresnel + again * m.metalAgain, m.metal);
+#ifdef LIT_COAT
+    float shine = m.coatShine * facets(m.coatAlpha, m.normal, h, cosine, m.cosine) * mix(rest5, 1.0, m.coatReflectance);
+#ifdef LIT_FUZZ
+    shine *= veil(fuzz, m.fuzzOfEye, m.fuzzMean, evenOf(m.coatRough));
+#endif
+    sum = sum * m.coatTint + shine;
+#endif
+#ifdef LIT_FUZZ
+    sum += m.fuzzColor * fibres(m.fuzzRough, dot(m.normal, h), cosine, m.cosine);
+#endif
+    return m.kept * sum;
 }
 
 // Of Phong's lobe that is as wide around the mirrored direction.
-float standInExponent(Lit m) { return clamp(0.5 / (m.alpha * m.alpha) - 0.5, 0.0, 65504.0); }
+float standInExponent(float alpha) { return clamp(0.5 / (alpha * alpha) - 0.5, 0.0, 65504.0); }
 
 #ifdef LIGHT_HAS_SKY
+vec3 skyMirrored(Lit m, vec3 gloss, float alpha)
+{
+    float exponent = standInExponent(alpha);
+    return gloss * (0.5 * exponent + 1.0) * skyLobe(m.reflected, m.reflected, exponent);
+}
+
 vec3 surfaceSky(Lit m)
 {
-    float exponent = standInExponent(m);
-    return m.even * skyIrradiance(m.normal) + m.gloss * (0.5 * exponent + 1.0) * skyLobe(m.reflected, m.reflected, exponent);
+    vec3 sum = m.even * skyIrradiance(m.normal) + skyMirrored(m, m.gloss, m.alpha);
+#ifdef LIT_COAT
+    if (m.coatGloss > 0.0) sum += skyMirrored(m, vec3(m.coatGloss), m.coatAlpha);
+#endif
+    return sum;
 }
 #endif
 
 #ifdef LIGHT_HAS_HEMISPHERE
-vec3 surfaceHemisphere(Lit m) { return m.even * hemisphereMatt(m.normal) + m.gloss * hemisphereMirrored(m.reflected); }
+vec3 surfaceHemisphere(Lit m) { return m.even * hemisphereMatt(m.normal) + glossAround(m) * hemisphereMirrored(m.reflected); }
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-AreaSide surfaceAreaSide(Lit m)
+int surfaceAreaSides(Lit m)
 {
-    float exponent = standInExponent(m);
-    return AreaSide(m.normal, m.even, m.gloss * (0.5 * exponent + 1.0), m.reflected, m.reflected, exponent);
+#ifdef LIT_COAT
+    return m.coatGloss > 0.0 ? 2 : 1;
+#else
+    return 1;
+#endif
 }
 
-vec3 surfaceArea(Lit m, Area light) { return areaOfSide(light, surfaceAreaSide(m)); }
+// What it sends evenly and what the base reflects; then what the coat reflects.
+AreaSide surfaceAreaSide(Lit m, int i)
+{
+    vec3 even = m.even, gloss = m.gloss;
+    float alpha = m.alpha;
+#ifdef LIT_COAT
+    if (i == 1) {
+        even = vec3(0.0);
+        gloss = vec3(m.coatGloss);
+        alpha = m.coatAlpha;
+    }
+#endif
+    float exponent = standInExponent(alpha);
+    return AreaSide(m.normal, even, gloss * (0.5 * exponent + 1.0), m.reflected, m.reflected, exponent);
+}
+
+vec3 surfaceArea(Lit m, Area light)
+{
+    vec3 sum = vec3(0.0);
+    int sides = surfaceAreaSides(m);
+    for (int i = 0; i < sides; i++) sum += areaOfSide(light, surfaceAreaSide(m, i));
+    return sum;
+}
 #endif

@@ -35,12 +35,6 @@ float leopard(vec3 p) {
     return mean * mean;
 }
 
-// Gradient of leopard, then its value. Error 4.3e-7 where sin and cos have 1e-7.
-vec4 leopardGradient(vec3 p) {
-    float mean = dot(sin(p), vec3(1.0 / 3.0));
-    return vec4(cos(p) * (mean * (2.0 / 3.0)), mean * mean);
-}
-
 // A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
@@ -105,6 +99,12 @@ float granite(vec3 p) {
         q *= 2.0;
     }
     return sum;
+}
+
+// Gradient of leopard, then its value. Error 4.3e-7 where sin and cos have 1e-7.
+vec4 leopardGradient(vec3 p) {
+    float mean = dot(sin(p), vec3(1.0 / 3.0));
+    return vec4(cos(p) * (mean * (2.0 / 3.0)), mean * mean);
 }
 
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
@@ -202,6 +202,8 @@ void main() {
     float diffuse_leopard = leopard(mix(vec3(1.0), vec3(2.0, 3.0, 4.0), diffuse_checker2));
     // arithmetic.yaml:7 Clamp
     float diffuse_clamped = min(max(diffuse_leopard, 0.3), 0.8);
+    // arithmetic.yaml:9 Clamp
+    float emissive_clamped = min(max(granite(localPosition), 0.25), 0.5);
     // arithmetic.yaml:13 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // arithmetic.yaml:13 Leopard
@@ -209,8 +211,6 @@ void main() {
     // arithmetic.yaml:13 Leopard
     vec4 leopard3 = leopardGradient(localPosition * 2.0);
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
-    // arithmetic.yaml:9 Clamp
-    float emissive_clamped = min(max(granite(localPosition), 0.25), 0.5);
     // arithmetic.yaml:8 Checker
     float specular_checker = (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 1.0 : 0.0;
     // arithmetic.yaml:13 Add

@@ -267,22 +267,22 @@ void main() {
     float diffuseTransparency_triplanar = diffuseTransparency_triplanar_2.z * diffuseTransparency_leopard + (diffuseTransparency_triplanar_2.y * diffuseTransparency_leopard + diffuseTransparency_triplanar_2.x * diffuseTransparency_leopard);
     // choices.yaml:10 Ramp
     float diffuseTransparency_ramp_1 = clamp(diffuseTransparency_xyzTransform.x, 0.0, 1.0);
+    // choices.yaml:8 Ramp
+    float emissive_ramp_1 = clamp(uv.y, 0.0, 1.0);
+    // choices.yaml:8 Switch
+    float emissive_chosen = mix(0.2, mix(0.7, 0.1, emissive_ramp_1), diffuse_checker_2);
     // choices.yaml:12 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // choices.yaml:12 Ramp
     bool ramp = localPosition.x <= 1.0;
     bool ramp_2 = localPosition.x < 0.0;
-    // choices.yaml:12 Wood
-    vec3 wood2 = woodGradient(localPosition).xyz;
+    // choices.yaml:8 Wood
+    vec3 emissive_wood = woodGradient(localPosition).xyz;
     // choices.yaml:12 Leopard
     vec4 leopard2 = leopardGradient(localPosition);
     float leopard2_2 = dot(leopard2.xyz, localTangentU);
     float leopard2_3 = dot(leopard2.xyz, localTangentV);
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
-    // choices.yaml:8 Ramp
-    float emissive_ramp_1 = clamp(uv.y, 0.0, 1.0);
-    // choices.yaml:8 Switch
-    float emissive_chosen = mix(0.2, mix(0.7, 0.1, emissive_ramp_1), diffuse_checker_2);
     // choices.yaml:7 CornerRamp
     float specular_cornerRamp_1 = clamp(uv.x, 0.0, 1.0);
     // choices.yaml:10 Triplanar
@@ -319,8 +319,8 @@ void main() {
     float carpenter_map_3 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0;
     float carpenter_map_4 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0;
     // choices.yaml:12 Triplanar
-    float triplanar = (localTangentU.z * carpenter_map_4 + carpenter_map_3 * localTangentU.x) * diffuseTransparency_triplanar_2.y + dot(wood2, localTangentU) * diffuseTransparency_triplanar_2.x;
-    float triplanar_2 = (localTangentV.z * carpenter_map_4 + carpenter_map_3 * localTangentV.x) * diffuseTransparency_triplanar_2.y + dot(wood2, localTangentV) * diffuseTransparency_triplanar_2.x;
+    float triplanar = (localTangentU.z * carpenter_map_4 + carpenter_map_3 * localTangentU.x) * diffuseTransparency_triplanar_2.y + dot(emissive_wood, localTangentU) * diffuseTransparency_triplanar_2.x;
+    float triplanar_2 = (localTangentV.z * carpenter_map_4 + carpenter_map_3 * localTangentV.x) * diffuseTransparency_triplanar_2.y + dot(emissive_wood, localTangentV) * diffuseTransparency_triplanar_2.x;
     uint surface_bits = rootBits(diffuse_chosen.x, 6) | rootBits(diffuse_chosen.y, 6) << 6 | rootBits(diffuse_chosen.z, 6) << 12;
     // choices.yaml:11 Ramp
     float shininess_ramp = mix(0.3, 0.6, clamp(uv.x * 3.0, 0.0, 1.0));

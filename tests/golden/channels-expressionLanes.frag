@@ -104,11 +104,11 @@ void main() {
     vec3 ambient_expression_2 = q + 3.0;
     vec3 ambient_expression_3 = ambient_expression_2 * ambient_expression_2;
     vec3 ambient_expression_4 = ambient_expression_1 + 1.0;
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // expressionLanes.yaml:10 Expression
     float emissive_expression_1 = q.x * 0.5 + 3.25;
     vec3 emissive_expression_2 = vec3(step(0.4, uv.x + 3.0), floor(abs(emissive_expression_1)) * sign(emissive_expression_1), floor(q.y * 0.2 + 1.2 + 0.5));
     vec3 emissive_expression = mod(uv.x, 3.0) + (fract(uv.x * 0.3 + 0.1) + emissive_expression_2);
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_expression.x, 7) | rootBits(diffuse_expression.y, 7) << 7 | rootBits(diffuse_expression.z, 7) << 14;
     // expressionLanes.yaml:7 Expression
     float shininess_expression_1 = clamp((uv.x - 0.2) / 0.6, 0.0, 1.0);

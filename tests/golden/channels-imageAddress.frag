@@ -122,9 +122,9 @@ void main() {
     // imageAddress.yaml:6 ImageMap
     vec2 ambient_image = clamp(vec2(1.0) - abs(vec2(1.0) - fract(transparency_image_1 * 0.5) * 2.0), vec2(0.0078125), vec2(0.9921875));
     vec4 ambient_image_2 = imageNearest(imageTexture2, ambient_image, vec2(64.0));
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // imageAddress.yaml:5 ImageMap
     vec4 emissive_image = imageSampled(imageTexture3, around, pictureSize(imageTexture3));
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = sharedExponentBits(emissive_image.xyz, 5) | rootBits(ambient_image_2.x, 4) << 20 | rootBits(ambient_image_2.y, 4) << 24;
     uint surface_bits2 = rootBits(diffuse_image.x, 7) | rootBits(diffuse_image.y, 7) << 7 | rootBits(diffuse_image.z, 7) << 14;
     // imageAddress.yaml:4 ImageMap

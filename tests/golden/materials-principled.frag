@@ -5,16 +5,6 @@ in vec3 localPosition;
 in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
 // A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
@@ -82,6 +72,16 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     return sum;
 }
 
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
 // (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
@@ -110,10 +110,10 @@ uint unormBits(float v, int bits) {
 }
 
 void main() {
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // principled.yaml:9 VolumeTurbulence
     float roughness_volumeTurbulence = turbulence(localPosition * 1.5, 5, 2.0, 0.55);
     // principled.yaml:7 Blend
     float roughness_blend = mix(0.12, 0.5, clamp((roughness_volumeTurbulence + 0.2) * 2.0, 0.0, 1.0));
-    fragment0 = uvec4(octahedralBits(normal, 12) << 3 | 134217728u, 4227858432u, 426555871u, unormBits(roughness_blend, 9) | 3052994048u);
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 6, 4227858432u, 426555871u, unormBits(roughness_blend, 9) | 3052994048u);
 }

@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 3 | 134217728u, 0u, 434601299u, 3221225126u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 6, 0u, 434601299u, 3221225126u);
 }

@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 3 | 134217728u, 4227858432u, 2057101816u, 3221224970u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 6, 4227858432u, 2057101816u, 3221224970u);
 }

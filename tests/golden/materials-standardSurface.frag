@@ -5,6 +5,14 @@ in vec3 localPosition;
 in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
+// Distance from the z axis, coordinates cut at 1e37. Divided by the greater one first, so that no square over- or underflows.
+// Relative error 2e-7.
+float wood(vec3 p) {
+    vec2 a = min(abs(p.xy), 1.0e37);
+    float greater = max(max(a.x, a.y), 1.0e-37);
+    return greater * length(a / greater);
+}
+
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -13,14 +21,6 @@ vec3 safeNormalize(vec3 v) {
     vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
     vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// Distance from the z axis, coordinates cut at 1e37. Divided by the greater one first, so that no square over- or underflows.
-// Relative error 2e-7.
-float wood(vec3 p) {
-    vec2 a = min(abs(p.xy), 1.0e37);
-    float greater = max(max(a.x, a.y), 1.0e-37);
-    return greater * length(a / greater);
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -51,10 +51,10 @@ uint unormBits(float v, int bits) {
 }
 
 void main() {
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // standardSurface.yaml:10 Wood
     float wood2 = wood(localPosition * 6.0);
     // standardSurface.yaml:8 Blend
     float blend = mix(0.1, 0.45, clamp(wood2, 0.0, 1.0));
-    fragment0 = uvec4(octahedralBits(normal, 12) << 3 | 134217728u, 4227858432u, 429893032u, unormBits(blend, 9) | 3221224960u);
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 6, 4227858432u, 429893032u, unormBits(blend, 9) | 3221224960u);
 }

@@ -1,0 +1,174 @@
+/* The slots of Principled, of a coat over a material, and of two materials mixed (semantics.md, section 4). */
+#include "compiler/oracle/oracle_maps.h"
+#include <math.h>
+#include <string.h>
+
+static const double GREATEST_EXPONENT = 65504, LEAST = 1e-6;
+
+static double ask_red(Environment *environment, const Node *material, int param)
+{
+    return oracle_ask_param(environment, material, param, channel_id(GROUP_R, 0));
+}
+
+static double unit(double x) { return fmin(fmax(x, 0), 1); }
+
+/* Fresnel's formulas along the normal. */
+static double reflectance_of(double ior) { return (ior - 1) / (ior + 1) * ((ior - 1) / (ior + 1)); }
+
+typedef struct {
+    double weight, colour[3], roughness, ior, darkening, roughening;
+} OracleCoat;
+
+/* Of the parameters coat, coatColor, coatRoughness, coatIor, coatDarkening and coatRoughening. */
+static OracleCoat coat_of(Environment *environment, const Node *node, const int params[6])
+{
+    OracleCoat coat = {.weight = unit(ask_red(environment, node, params[0])),
+                       .roughness = ask_red(environment, node, params[2]),
+                       .ior = fmax(ask_red(environment, node, params[3]), 0),
+                       .darkening = ask_red(environment, node, params[4]),
+                       .roughening = ask_red(environment, node, params[5])};
+    oracle_ask_colour(environment, node, params[1], coat.colour);
+    return coat;
+}
+
+/* The base's slots below it, then its own; `ior` is the base's against air, `specular` the weight of what that reflects. */
+static void lay(const OracleCoat *coat, double ior, double specular, SlotValues *result)
+{
+    if (!(coat->weight > 0))
+        return;
+    const double w = coat->weight, high = fmax(ior, coat->ior), low = fmax(fmin(ior, coat->ior), LEAST);
+    const double own = reflectance_of(coat->ior);
+    const double back = unit(1 - (1 - own) / fmax(coat->ior * coat->ior, LEAST));
+    double *rough = result->lane[SLOT_roughness];
+    const double rougher = pow(fmin(pow(rough[0], 4) + 2 * pow(coat->roughness, 4), 1), .25);
+    rough[0] += unit(w * coat->roughening) * (rougher - rough[0]);
+    result->lane[SLOT_reflectance][0] = specular * reflectance_of((1 - w) * ior + w * high / low);
+    for (int i = 0; i < 3; i++) {
+        const double tint = 1 - w + w * coat->colour[i], by = unit(w * coat->darkening);
+        const double dark = (1 - back) / fmax(1 - unit(result->lane[SLOT_diffuse][i]) * back, LEAST);
+        result->lane[SLOT_coatTint][i] = tint * (1 - by + by * dark);
+        result->lane[SLOT_emissive][i] *= tint;
+    }
+    result->lane[SLOT_coat][0] = w;
+    result->lane[SLOT_coatRoughness][0] = coat->roughness;
+    result->lane[SLOT_coatReflectance][0] = own;
+}
+
+/* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the weight of that as a factor on its colour. */
+void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
+{
+    static const int coat_params[] = {P_Principled_coat, P_Principled_coatColor, P_Principled_coatRoughness, P_Principled_coatIor,
+                                      P_Principled_coatDarkening, P_Principled_coatRoughening};
+    double normal[3], colour[3];
+    for (int i = 0; i < 3; i++)
+        normal[i] = oracle_ask_param(environment, material, P_Principled_input, channel_id(GROUP_N, i));
+    oracle_set_normal(environment, normal, result);
+    const double metal = ask_red(environment, material, P_Principled_metalness);
+    const double weight = ask_red(environment, material, P_Principled_specular);
+    const double opacity = ask_red(environment, material, P_Principled_opacity);
+    const double ior = fmax(ask_red(environment, material, P_Principled_ior), 0);
+    oracle_ask_colour(environment, material, P_Principled_baseColor, colour);
+    for (int i = 0; i < 3; i++)
+        result->lane[SLOT_diffuse][i] = colour[i] * ask_red(environment, material, P_Principled_baseWeight) * (1 - metal + metal * weight);
+    oracle_ask_colour(environment, material, P_Principled_emissionColor, colour);
+    for (int i = 0; i < 3; i++)
+        result->lane[SLOT_emissive][i] = opacity * colour[i] * ask_red(environment, material, P_Principled_emission);
+    oracle_ask_colour(environment, material, P_Principled_specularColor, result->lane[SLOT_specular]);
+    for (int i = 0; i < 3; i++)
+        result->lane[SLOT_transparency][i] = 1 - opacity;
+    result->lane[SLOT_alpha][0] = opacity;
+    result->lane[SLOT_metalness][0] = metal;
+    result->lane[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
+    result->lane[SLOT_reflectance][0] = weight * reflectance_of(ior);
+    result->lane[SLOT_model][0] = MODEL_Principled;
+    const OracleCoat coat = coat_of(environment, material, coat_params);
+    lay(&coat, ior, weight, result);
+    const double fuzz = ask_red(environment, material, P_Principled_fuzz);
+    if (!(fuzz > 0))
+        return;
+    result->lane[SLOT_fuzz][0] = fuzz;
+    oracle_ask_colour(environment, material, P_Principled_fuzzColor, result->lane[SLOT_fuzzColor]);
+    result->lane[SLOT_fuzzRoughness][0] = ask_red(environment, material, P_Principled_fuzzRoughness);
+}
+
+void oracle_Layer(Environment *environment, const Node *material, SlotValues *result)
+{
+    static const int coat_params[] = {P_Layer_coat, P_Layer_coatColor, P_Layer_coatRoughness, P_Layer_coatIor, P_Layer_coatDarkening,
+                                      P_Layer_coatRoughening};
+    oracle_spend(environment, ANSWER_WORK);
+    if (oracle_spent(environment->oracle))
+        return;
+    oracle_answer_as(environment, material, oracle_material_of(material, P_Layer_base), result);
+    const double root = sqrt(unit(result->lane[SLOT_reflectance][0]));
+    const OracleCoat coat = coat_of(environment, material, coat_params);
+    lay(&coat, (1 + root) / fmax(1 - root, LEAST), 1, result);
+}
+
+bool oracle_is_principled(const Environment *environment, const Node *material)
+{
+    const unsigned *models = environment->oracle->graph->models;
+    return material && models && models[material->index] >> MODEL_Principled & 1;
+}
+
+/* It reflects as much along the normal, and as wide. */
+void oracle_as_principled(SlotValues *side)
+{
+    const double *specular = side->lane[SLOT_specular], share = 2 / (side->lane[SLOT_shininess][0] + 2);
+    const double most = fmax(fmax(specular[0], fmax(specular[1], specular[2])), 0);
+    static const Slot lost[] = {SLOT_shininess, SLOT_transparencyShininess, SLOT_interpolatedTransparency, SLOT_diffuseTransparency,
+                                SLOT_ambient};
+    for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
+        for (int lane = 0; lane < type_table[slot_table[lost[i]].type].lanes; lane++)
+            side->lane[lost[i]][lane] = slot_table[lost[i]].absent;
+    for (int lane = 0; lane < 3; lane++)
+        side->lane[SLOT_specular][lane] = (side->lane[SLOT_specular][lane] + LEAST) / (most + LEAST);
+    side->lane[SLOT_roughness][0] = sqrt(sqrt(share));
+    side->lane[SLOT_reflectance][0] = most * share;
+    side->lane[SLOT_model][0] = MODEL_Principled;
+}
+
+static double roughness_of(double exponent) { return sqrt(sqrt(2 / (exponent + 2))); }
+
+/* How much the second side counts where the mask is t: as much as it has of the slot that weighs this one. */
+static double counted(Slot slot, const SlotValues sides[2], double t)
+{
+    if (slot_weight(slot) == SLOT_COUNT)
+        return t;
+    const double a = (1 - t) * sides[0].lane[slot_weight(slot)][0], b = t * sides[1].lane[slot_weight(slot)][0];
+    return a + b > LEAST ? b / (a + b) : t;
+}
+
+/* From a slot of a's to that of b's. */
+static void mix_slot(const Environment *environment, Slot slot, const SlotValues sides[2], double t, SlotValues *result)
+{
+    const double *a = sides[0].lane[slot], *b = sides[1].lane[slot], by = counted(slot, sides, t);
+    double *mean = result->lane[slot];
+    if (!memcmp(a, b, sizeof sides[0].lane[slot])) {
+        memcpy(mean, a, sizeof sides[0].lane[slot]);
+        return;
+    }
+    for (int i = 0; i < 3; i++)
+        mean[i] = a[i] * (1 - by) + b[i] * by;
+    if (slot_mixing(slot) == MIXING_DIRECTION) {
+        const double side = environment->surface->front ? 1 : -1;
+        const double turned[3] = {side * mean[0], side * mean[1], side * mean[2]};
+        oracle_set_normal(environment, turned, result);
+    } else if (slot_mixing(slot) == MIXING_EXPONENT) {
+        const double r = roughness_of(a[0]) * (1 - t) + roughness_of(b[0]) * t;
+        mean[0] = fmin(fmax(2 / (r * r * r * r) - 2, 0), GREATEST_EXPONENT);
+    }
+}
+
+/* A material that stands in a Mix twice, and so on, is asked as often: what that takes is bounded as all work is. */
+void oracle_MixMaterial(Environment *environment, const Node *material, SlotValues *result)
+{
+    SlotValues sides[2];
+    oracle_spend(environment, ANSWER_WORK);
+    if (oracle_spent(environment->oracle))
+        return;
+    const double red = ask_red(environment, material, P_MixMaterial_mask);
+    oracle_answer_as(environment, material, oracle_material_of(material, P_MixMaterial_a), &sides[0]);
+    oracle_answer_as(environment, material, oracle_material_of(material, P_MixMaterial_b), &sides[1]);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        mix_slot(environment, (Slot)slot, sides, unit(red), result);
+}

@@ -1,0 +1,21 @@
+/* The LOBE rows of slots.def. */
+#ifndef MATC_LOBE_TABLE_H
+#define MATC_LOBE_TABLE_H
+#include "tables.h"
+
+/* Parts of Principled that most surfaces lack. */
+typedef enum {
+#define LOBE(name, doc) LOBE_##name,
+#include "slots.def"
+    LOBE_COUNT
+} Lobe;
+typedef struct {
+    const char *name;
+    Slot slot; /* its weight */
+    int param; /* of Principled */
+    const char *doc;
+} LobeRow;
+extern const LobeRow lobe_table[LOBE_COUNT];
+/* Bits of models, 1 << Model, go on with lobes. */
+#define MODEL_LOBE(lobe) (1u << (MODEL_COUNT + (lobe)))
+#endif

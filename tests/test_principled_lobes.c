@@ -1,0 +1,302 @@
+/* The lobes over a Principled's base, coat and fuzz: fits against integrals in double, the sum of all against the lobes as they are defined, white
+ * furnaces, light that changes places with the eye. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/render/screen_pass.h"
+#include "runtime/render/surface_model.h"
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdlib.h>
+
+static const double PI = 3.14159265358979323846;
+enum { SIDE = 20 };
+
+/* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on. */
+static const char head[] =
+    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance; float coat; vec3 coatTint; "
+    "float coatRoughness, coatReflectance; float fuzz; vec3 fuzzColor; float fuzzRoughness; };\n"
+    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define SURFACE_HAS_specular\n"
+    "#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n#define SURFACE_HAS_reflectance\n"
+    "#define SURFACE_HAS_coat\n#define SURFACE_HAS_coatTint\n#define SURFACE_HAS_coatRoughness\n#define SURFACE_HAS_coatReflectance\n"
+    "#define SURFACE_HAS_fuzz\n#define SURFACE_HAS_fuzzColor\n#define SURFACE_HAS_fuzzRoughness\n";
+static const char tools[] =
+    "const float SIDE = 20.0;\n"
+    "float roughOf(ivec2 p) { return 0.0316227766 + 0.9683772 * float(p.y) / (SIDE - 1.0); }\n"
+    "float cosineOf(ivec2 p) { return 0.1 + 0.9 * float(p.x) / (SIDE - 1.0); }\n"
+    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); "
+    "return vec3(s * cos(turn), s * sin(turn), cosine); }\n"
+    "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
+    "Surface made(vec3 base, vec3 numbers, vec3 coat, vec2 fuzz) { return Surface(vec3(0.0, 0.0, 1.0), base, vec3(1.0), numbers.x, numbers.y, numbers.z, "
+    "coat.x, vec3(1.0), coat.y, coat.z, fuzz.x, vec3(1.0), fuzz.y); }\n"
+    "Surface mixed(ivec2 p) { Surface s = made(vec3(varied(p, 0.618), varied(p, 0.382), 0.9), vec3(varied(p, 0.733), roughOf(p), 0.3 * varied(p, 0.137)), "
+    "vec3(varied(p, 0.415), 0.2 + 0.8 * varied(p, 0.29), 0.1 * varied(p, 0.653)), vec2(varied(p, 0.811), 0.2 + 0.8 * varied(p, 0.177)));\n"
+    "    s.coatTint = vec3(1.0, 0.7, varied(p, 0.55)); s.fuzzColor = vec3(varied(p, 0.345), 0.5, 1.0); return s; }\n";
+static const char fits[] =
+    "vec4 passPixel(ivec2 p) { float r = 0.2 + 0.8 * float(p.y) / (SIDE - 1.0), full = roughOf(p); "
+    "return vec4(fuzzAlbedo(cosineOf(p), r), coatAlbedo(coatMeans(full), 0.05), fuzzMean(r), 1.0); }\n";
+static const char lobes[] =
+    "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(mixed(p), toward(cosineOf(p), 0.0)); "
+    "return vec4(surfaceLobe(m, toward(0.1 + 0.85 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, 0.91)) * roughOf(p))), 1.0); }\n";
+/* A third of the directions by what of the base's facets the eye sees (Heitz 2018), one by the coat's, one by the cosine. */
+static const char furnace[] =
+    "vec3 facet(vec3 v, float a, vec2 u) {\n"
+    "    vec3 w = normalize(vec3(a * v.xy, v.z)), t = w.z < 0.9999 ? normalize(vec3(-w.y, w.x, 0.0)) : vec3(1.0, 0.0, 0.0), s = cross(w, t);\n"
+    "    float r = sqrt(u.x), f = 6.2831853 * u.y, x = r * cos(f), y = r * sin(f), k = 0.5 + 0.5 * w.z;\n"
+    "    y = mix(sqrt(max(1.0 - x * x, 0.0)), y, k);\n"
+    "    vec3 n = x * t + y * s + sqrt(max(1.0 - x * x - y * y, 0.0)) * w;\n"
+    "    return normalize(vec3(a * n.xy, max(n.z, 1e-6)));\n}\n"
+    "float seen(vec3 v, vec3 l, float a) {\n"
+    "    vec3 h = normalize(v + l), c = cross(vec3(0.0, 0.0, 1.0), h);\n"
+    "    float d = a * a * h.z * h.z + dot(c, c), g = 2.0 * v.z / (v.z + sqrt(a * a + (1.0 - a * a) * v.z * v.z));\n"
+    "    return g * a * a / (d * d * 4.0 * v.z);\n}\n"
+    "float sent(Surface surface, vec3 v) {\n"
+    "    Lit m = surfaceLit(surface, v);\n"
+    "    float sum = 0.0;\n"
+    "    for (int i = 0; i < 1536; i++) {\n"
+    "        vec2 u = fract(vec2(0.7548776662, 0.5698402910) * float(i) + 0.5);\n"
+    "        int of = i % 3;\n"
+    "        vec3 l = of == 2 ? toward(sqrt(u.x), 6.2831853 * u.y) : reflect(-v, facet(v, of == 0 ? m.alpha : m.coatAlpha, u));\n"
+    "        if (l.z > 0.0) sum += surfaceLobe(m, l).x / (seen(v, l, m.alpha) + seen(v, l, m.coatAlpha) + l.z) * 3.0;\n"
+    "    }\n"
+    "    return sum / 1536.0;\n}\n"
+    "vec4 passPixel(ivec2 p) {\n"
+    "    vec3 v = toward(cosineOf(p), 0.0), white = vec3(1.0);\n"
+    "    float rough = roughOf(p), other = 0.1 + 0.9 * varied(p, 0.29);\n"
+    "    return vec4(sent(made(white, vec3(0.0, rough, 0.04), vec3(1.0, other, 0.0533), vec2(0.0, 0.5)), v),\n"
+    "        sent(made(white, vec3(0.0, rough, 0.04), vec3(0.0), vec2(1.0, other)), v),\n"
+    "        sent(made(white, vec3(0.0, rough, 0.04), vec3(1.0, 0.0, 0.0533), vec2(0.7, other)), v),\n"
+    "        sent(made(white, vec3(1.0, rough, 0.0), vec3(1.0, 0.0, 0.0533), vec2(0.0)), v));\n}\n";
+static const char turned[] =
+    "vec4 passPixel(ivec2 p) {\n"
+    "    vec3 v = toward(cosineOf(p), 0.0), l = toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 * varied(p, 0.91));\n"
+    "    Surface s = mixed(p);\n"
+    "    vec3 a = surfaceLobe(surfaceLit(s, v), l) / l.z, b = surfaceLobe(surfaceLit(s, l), v) / v.z;\n"
+    "    return vec4(abs(a - b) / (a + b), 1.0);\n}\n";
+static const char around[] =
+    "vec4 passPixel(ivec2 p) { Surface s = mixed(p); s.diffuse = s.coatTint = s.fuzzColor = vec3(1.0);\n"
+    "    return vec4(surfaceAmbient(surfaceLit(s, toward(cosineOf(p), 0.0)), vec3(1.0)), 1.0); }\n";
+
+static void run(GlContext *gl, const char *body, float (*said)[4])
+{
+    Store *store = store_new(gl);
+    Screen screen;
+    ScreenPass pass;
+    Framebuffer target;
+    const FramebufferSpec spec = {.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA32F};
+    const ScreenPassText text = {.body = {head, surface_model_principled.text, tools, body}, .format = "RGBA32F"};
+    if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !screen_pass_make(store, &text, &pass))
+        fail_msg("%s", gl->error);
+    screen_pass_run(&pass, &target, &screen);
+    assert_true(framebuffer_read(gl, &target, 0, said[0]));
+    screen_pass_delete(&pass);
+    framebuffer_delete(gl, &target);
+    screen_delete(gl, &screen);
+    store_free(store);
+}
+
+static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
+static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
+static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
+
+/* Fibres, as a share of what arrives: pi D / (4 (c + e - c e)), D = (2 + 1/r) sin^(1/r) / (2 pi), and the light's cosine. */
+static double fibres(double rough, double eye, double l, double turn)
+{
+    const double vx = sqrt(1 - eye * eye), lx = sqrt(1 - l * l), x = vx + lx * cos(turn), y = lx * sin(turn);
+    const double sine = sqrt((x * x + y * y) / (x * x + y * y + (eye + l) * (eye + l)));
+    return l * (2 + 1 / rough) * pow(sine, 1 / rough) / 2 / (4 * (l + eye - l * eye));
+}
+
+static double fuzz_albedo(double rough, double eye)
+{
+    enum { RINGS = 120, TURNS = 120 };
+    double sum = 0;
+    for (int i = 0; i < RINGS; i++)
+        for (int k = 0; k < TURNS; k++) {
+            const double t = (i + .5) / RINGS;
+            sum += fibres(rough, eye, t * t, PI * (k + .5) / TURNS) * 2 * t / RINGS * 2 / TURNS;
+        }
+    return sum;
+}
+
+static double fuzz_mean(double rough)
+{
+    enum { STEPS = 30 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; i++)
+        sum += 2 * (i + .5) / STEPS / STEPS * fuzz_albedo(rough, (i + .5) / STEPS);
+    return sum;
+}
+
+/* Of GGX with Smith's masking by height: E, and the part of it that (1 - cosine)^5 has; by visible facets. */
+static void integrate(double cosine, double alpha, double found[2])
+{
+    enum { RINGS = 64, TURNS = 64 };
+    const double vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine), wx = alpha * vx / size, wz = cosine / size;
+    const double eye = sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine);
+    found[0] = found[1] = 0;
+    for (int i = 0; i < RINGS * TURNS; i++) {
+        const double r = sqrt((i / TURNS + .5) / RINGS), turn = 2 * PI * (i % TURNS + .5) / TURNS, t = r * cos(turn), k = .5 + .5 * wz;
+        const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(turn), up = sqrt(fmax(1 - t * t - s * s, 0));
+        double h[3] = {alpha * (s * -wz + up * wx), alpha * t, fmax(s * wx + up * wz, 0)};
+        const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]), facing = (vx * h[0] + cosine * h[2]) / length;
+        const double l = 2 * facing * h[2] / length - cosine;
+        if (l <= 0 || facing <= 0)
+            continue;
+        const double share = l * (cosine + eye) / (cosine * sqrt(alpha * alpha + (1 - alpha * alpha) * l * l) + l * eye);
+        found[0] += share / (RINGS * TURNS);
+        found[1] += share * pow(1 - facing, 5) / (RINGS * TURNS);
+    }
+}
+
+static void mean_of(double alpha, double found[2])
+{
+    enum { STEPS = 24 };
+    found[0] = found[1] = 0;
+    for (int i = 0; i < STEPS; i++) {
+        const double t = (i + .5) / STEPS;
+        double one[2];
+        integrate(t * t, alpha, one);
+        for (int k = 0; k < 2; k++)
+            found[k] += one[k] * 4 * t * t * t / STEPS;
+    }
+}
+
+static double fresnel(const double albedo[2], double reflectance) { return reflectance * (albedo[0] - albedo[1]) + albedo[1]; }
+
+static void fits_are_integrals(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst[3] = {0};
+    GlContext *gl = frame_context();
+    run(gl, fits, said);
+    gl_close(gl);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const double rough = .2 + .8 * (i / SIDE) / (SIDE - 1);
+        worst[0] = fmax(worst[0], fabs(said[i][0] - fuzz_albedo(rough, cosine_of(i % SIDE))));
+        if (i % SIDE)
+            continue;
+        double mean[2];
+        mean_of(pow(rough_of(i / SIDE), 2), mean);
+        worst[1] = fmax(worst[1], fabs(said[i][1] - fresnel(mean, .05)));
+        worst[2] = fmax(worst[2], fabs(said[i][2] - fuzz_mean(rough)));
+    }
+    print_message("fuzz: within %.4f, its mean %.4f; a coat's mean: %.4f\n", worst[0], worst[2], worst[1]);
+    assert_true(worst[0] < .006 && worst[1] < .004 && worst[2] < .004);
+}
+
+static double smooth(double low, double high, double x)
+{
+    const double t = fmin(fmax((x - low) / (high - low), 0), 1);
+    return t * t * (3 - 2 * t);
+}
+
+/* Both directions by what a layer lets through of each; `even` as the GLSL says it. */
+static double veil(double light, double eye, double mean, double even)
+{
+    return light * eye / sqrt((light * (1 - even) + mean * even) * (eye * (1 - even) + mean * even));
+}
+
+/* Once reflected by GGX, with Fresnel's term 1. */
+static double once_of(double a, double cosine, double l, double turn, double *facing)
+{
+    const double vx = sqrt(1 - cosine * cosine), lx = sqrt(1 - l * l);
+    const double sum[3] = {vx + lx * cos(turn), lx * sin(turn), cosine + l}, size = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    const double high = sum[2] / size, d = a * a / pow(high * high * (a * a - 1) + 1, 2);
+    const double of_eye = (sqrt(1 + a * a * (1 / (cosine * cosine) - 1)) - 1) / 2, of_light = (sqrt(1 + a * a * (1 / (l * l) - 1)) - 1) / 2;
+    *facing = (vx * sum[0] + cosine * sum[2]) / size;
+    return d / (1 + of_eye + of_light) / (4 * cosine);
+}
+
+/* All lobes of lane 1 of a pixel's surface, of no metal, by their definitions and integrals. */
+static double lobe_of(int i, double cosine, double l, double turn)
+{
+    const double rough = rough_of(i / SIDE), a = rough * rough, base = varied(i, .382), metal = varied(i, .733), f0 = .3 * varied(i, .137);
+    const double coat = varied(i, .415), coat_rough = .2 + .8 * varied(i, .29), c0 = .1 * varied(i, .653), fuzz = varied(i, .811),
+                 fuzz_rough = .2 + .8 * varied(i, .177);
+    double v[2], w[2], m[2], cv[2], cw[2], cm[2], facing;
+    integrate(cosine, a, v), integrate(l, a, w), mean_of(a, m);
+    integrate(cosine, coat_rough * coat_rough, cv), integrate(l, coat_rough * coat_rough, cw), mean_of(coat_rough * coat_rough, cm);
+    const double through[3] = {1 - coat * fresnel(cw, c0), 1 - coat * fresnel(cv, c0), 1 - coat * fresnel(cm, c0)};
+    const double below[3] = {1 - fuzz * fuzz_albedo(fuzz_rough, l), 1 - fuzz * fuzz_albedo(fuzz_rough, cosine), 1 - fuzz * fuzz_mean(fuzz_rough)};
+    const double even = .85 * smooth(.05, .75, rough), coat_even = .85 * smooth(.05, .75, coat_rough);
+    const double matt = veil(through[0], through[1], through[2], 1) * veil(below[0], below[1], below[2], 1);
+    const double mirrored = veil(through[0], through[1], through[2], even) * veil(below[0], below[1], below[2], even);
+    const double once = once_of(a, cosine, l, turn, &facing) * mirrored, again = l * (1 - v[0]) * (1 - w[0]) / (1 - m[0]) * matt;
+    const double schlick = pow(1 - facing, 5), mean_f = f0 + (1 - f0) / 21, ms = mean_f * mean_f * m[0] / (1 - mean_f * (1 - m[0]));
+    const double sv = fresnel(v, f0) + (1 - v[0]) * ms, sl = fresnel(w, f0) + (1 - w[0]) * ms, sm = fresnel(m, f0) + (1 - m[0]) * ms;
+    const double mean_m = base + (1 - base) / 21, ms_m = mean_m * mean_m * m[0] / (1 - mean_m * (1 - m[0]));
+    const double plain = l * base * (1 - sv) * (1 - sl) / (1 - sm) * matt + once * (f0 + (1 - f0) * schlick) + again * ms;
+    const double of_metal = once * (base + (1 - base) * schlick) + again * ms_m;
+    const double shine = coat * once_of(coat_rough * coat_rough, cosine, l, turn, &facing) * (c0 + (1 - c0) * schlick) * veil(below[0], below[1], below[2], coat_even);
+    return .7 * ((1 - metal) * plain + metal * of_metal) + shine + fuzz * .5 * fibres(fuzz_rough, cosine, l, turn);
+}
+
+static void lobes_are_as_defined(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst = 0;
+    GlContext *gl = frame_context();
+    run(gl, lobes, said);
+    gl_close(gl);
+    for (int i = SIDE; i < SIDE * SIDE; i += 7) { /* rows above the first, whose lobe is narrower than floats of the directions */
+        const double turn = 3.14159 + (.5 - varied(i, .91)) * rough_of(i / SIDE);
+        const double want = lobe_of(i, cosine_of(i % SIDE), .1 + .85 * varied(i, .5701), turn);
+        worst = fmax(worst, fabs(said[i][1] - want) / (.25 + want));
+    }
+    print_message("lobes: within %.4f\n", worst);
+    assert_true(worst < .01);
+}
+
+static void white_sends_all(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"coat", "fuzz", "fuzz over a coat", "coat over metal"};
+    static const double lost[] = {.02, .02, .02, .036}, gained[] = {.01, .01, .01, .036};
+    static float said[SIDE * SIDE][4];
+    bool fine = true;
+    GlContext *gl = frame_context();
+    run(gl, furnace, said);
+    gl_close(gl);
+    for (int k = 0; k < 4; k++) {
+        double least = 2, most = 0;
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            least = fmin(least, (double)said[i][k]);
+            most = fmax(most, (double)said[i][k]);
+        }
+        print_message("white, %s: %.4f to %.4f\n", names[k], least, most);
+        fine &= least > 1 - lost[k] && most < 1 + gained[k];
+    }
+    assert_true(fine);
+}
+
+static void light_and_eye_change_places(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst = 0;
+    GlContext *gl = frame_context();
+    run(gl, turned, said);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        worst = fmax(worst, fmax((double)said[i][0], fmax((double)said[i][1], (double)said[i][2])));
+    print_message("changed places: within %.1e\n", worst);
+    assert_true(worst < 2e-5);
+    run(gl, around, said);
+    worst = 0;
+    for (int i = 0; i < SIDE * SIDE; i++)
+        worst = fmax(worst, fabs((double)said[i][0] - 1));
+    gl_close(gl);
+    print_message("from all around: within %.4f\n", worst);
+    assert_true(worst < .01);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(fits_are_integrals), cmocka_unit_test(lobes_are_as_defined),
+                                       cmocka_unit_test(white_sends_all), cmocka_unit_test(light_and_eye_change_places)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
