@@ -137,6 +137,37 @@ static void symbols_stand_around_points(void **state)
     gl_close(gl);
 }
 
+/* A cube whose faces are pushed by the radius of the ball through its corners is that ball. Where planes through corners have the middle of a face is 1 + 2 / 3 from the cube's: that point lies
+ * between two opposite corners, whose planes it is 2 / sqrt(3) below. */
+static void a_cube_becomes_a_ball(void **state)
+{
+    (void)state;
+    static const char *const methods[] = {"grid, level: 8", "tessellation, level: 8", "geometry, level: 8",
+                                          "feedback, near: 1e9, steps: 3"};
+    GlContext *gl = frame_context();
+    for (int i = 0; i < 8; i++) {
+        char how[80];
+        MatcDocument *document;
+        Scene *scene;
+        double worst = 0, middle = 0;
+        snprintf(how, sizeof how, "method: %s, %s", methods[i / 2], i % 2 ? "bulge: 0.5" : "push: 1.7320508");
+        triangles_of(gl, 4, how, &document, &scene);
+        const Shape *shape = shape_of(scene);
+        for (int k = 0; k < shape->vertex_count; k++) {
+            const float *p = shape->vertices[k].position, *base = shape->base[k];
+            const double r = sqrt((double)p[0] * p[0] + (double)p[1] * p[1] + (double)p[2] * p[2]);
+            worst = fmax(worst, fabs(r - sqrt(3)));
+            if (fabsf(base[0]) + fabsf(base[1]) < 1e-6f)
+                middle = fmax(middle, (double)fabsf(p[2]));
+        }
+        print_message("%s: off a ball by %.2g, the middle of a face at %.6f\n", how, worst, middle);
+        assert_true(i % 2 ? worst > .1 && fabs(middle - 4. / 3) < 1e-5 : worst < 1e-5);
+        assert_true(i / 2 == 3 || shape_body(shape) != SHAPE_BODY_none);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
 static void others_have_no_skirts(void **state)
 {
     (void)state;
@@ -158,6 +189,7 @@ int main(void)
         cmocka_unit_test(skirts_have_their_triangles),
         cmocka_unit_test(skirts_hide_gaps),
         cmocka_unit_test(symbols_stand_around_points),
+        cmocka_unit_test(a_cube_becomes_a_ball),
         cmocka_unit_test(others_have_no_skirts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -77,6 +77,25 @@ uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
     return own;
 }
 
+uniform float displace_push, displace_bulge; // what rounds a hard body; 0: nothing
+
+// The mean of the corners' normals, each the unit sum of all around it; and how far it pushes and bulges the point at p. Along an edge both go by its two ends alone.
+//     A cube from -1 to 1: in the middle of a face the mean is 1 / sqrt(3) long, so a push of sqrt(3) is 0.73 there and 0 at corners: all points are sqrt(3) from the middle.
+vec3 displaceRounded(uint first, vec3 w, vec3 p, out vec3 mean)
+{
+    vec3 n[3], toward[3];
+    for (int k = 0; k < 3; k++) {
+        uint row = 4u * displace_patches[first + 3u + uint(k)];
+        n[k] = displace_rows[row + 1u].xyz / max(length(displace_rows[row + 1u].xyz), 1e-30);
+        toward[k] = dot(displace_rows[row].xyz - p, n[k]) * n[k];
+    }
+    precise vec3 sum = n[0] * w.x + n[1] * w.y + n[2] * w.z;
+    precise vec3 tangent = toward[0] * w.x + toward[1] * w.y + toward[2] * w.z;
+    float size = max(length(sum), 1e-30);
+    mean = sum / size;
+    return displace_push * (1.0 - size) * mean + displace_bulge * tangent;
+}
+
 uniform float displace_depth; // no point of the world moves farther
 
 // Sets what is captured: the point of these weights, whose sum is 1; or, below it, the one as deep as the surface can be, where a skirt ends.
@@ -99,6 +118,11 @@ void displaceAt(uint patchNumber, vec3 w, bool lower)
     if (lower)
         to = from - away * (displace_depth / max(length(away), 1e-30));
     displaced_position = position.xyz + displace_localFromWorld * (to - from);
+    if (displace_push != 0.0 || displace_bulge != 0.0) {
+        vec3 mean;
+        displaced_position += displaceRounded(first, w, position.xyz, mean);
+        displaced_normal = mean;
+    }
 }
 
 void displacePoint(uint patchNumber, vec3 w)

@@ -37,6 +37,8 @@ bool displaced_program(const DisplacedMaking *making, ProgramText *text, Materia
     if (!material_make(making->store, making->program, text, made))
         return false;
     set_spaces(making->scene, making->patches, made);
+    material_set_number(made, "displace_push", (float)making->patches->dividing.push);
+    material_set_number(made, "displace_bulge", (float)making->patches->dividing.bulge);
     material_set_number(made, "displace_depth", (float)making->patches->bound);
     return true;
 }

@@ -89,6 +89,7 @@ typedef struct {
     Word skirts; /* WORD_Skirts_auto, ... */
     Word symbol; /* of points: WORD_Symbol_square, ... */
     double near, detail; /* of feedback: triangles are divided while distance - near < detail * area */
+    double push, bulge;  /* hard bodies become rounder: displace_point.glsl */
     int steps;           /* of feedback: passes; 0: by the number of triangles */
 } SceneDividing;
 

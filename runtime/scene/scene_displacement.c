@@ -195,13 +195,28 @@ static int64_t feedback_triangles(const ScenePatches *patches)
     return (int64_t)patches->count << 2 * patches->dividing.steps;
 }
 
+/* No point bulges farther. */
+static double longest_edge(const ScenePatches *patches)
+{
+    double longest = 0;
+    for (int i = 0; i < 3 * patches->count; i++) {
+        const float *a = patches->rows[patches->at[i / 3].own[i % 3]].position,
+                    *b = patches->rows[patches->at[i / 3].own[(i + 1) % 3]].position;
+        const double way[3] = {(double)a[0] - (double)b[0], (double)a[1] - (double)b[1], (double)a[2] - (double)b[2]};
+        longest = fmax(longest, sqrt(scene_vector_dot(way, way)));
+    }
+    return longest;
+}
+
 /* 131072 triangles of a box: 105 parts of an edge, which are 2 patches of 53. By the picture 512 patches or more, which have 256 triangles each where all edges have 16 parts. */
 static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Shape *made, ScenePatches **patches)
 {
     enum { USUAL_TRIANGLES = 256 };
     const bool by_picture = how->pixels > 0;
     const int parts = parts_of(how, from);
-    const int across = how->method == WORD_Displacing_feedback ? 1
+    const bool rounded =
+        how->dividing.push != 0 || how->dividing.bulge > 0; /* by corners of the mesh's own triangles */
+    const int across = how->method == WORD_Displacing_feedback || rounded ? 1
                        : by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
                                     : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
     const int most = how->level && how->level < SCENE_PATCH_PARTS ? how->level : SCENE_PATCH_PARTS;
@@ -228,10 +243,12 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     (*patches)->torn =
         (*patches)->apart || how->method == WORD_Displacing_points || how->method == WORD_Displacing_feedback;
     (*patches)->bound = bound;
-    (*patches)->level = by_picture ? most : (parts + across - 1) / across;
+    (*patches)->level = by_picture || parts > most * across ? most : (parts + across - 1) / across;
     (*patches)->pixels = how->pixels;
     (*patches)->triangles = how->triangles;
     set_reach(&inverse, bound, (*patches)->reach);
+    for (int i = 0; i < 3; i++)
+        (*patches)->reach[i] += fabs(how->dividing.push) + how->dividing.bulge * longest_edge(*patches);
     return true;
 }
 

@@ -114,11 +114,17 @@ static void read_displacement(SceneReader *r, Tree *tree)
     dividing->near = scene_thing_number(&thing, S_Displacement_near);
     dividing->detail = scene_thing_number(&thing, S_Displacement_detail);
     dividing->steps = (int)scene_thing_number(&thing, S_Displacement_steps);
+    dividing->push = scene_thing_number(&thing, S_Displacement_push);
+    dividing->bulge = scene_thing_number(&thing, S_Displacement_bulge);
     dividing->symbol = (Word)scene_thing_number(&thing, S_Displacement_symbol);
     if (method == WORD_Displacing_mesh && r->scene->displaced_pixels > 0)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels);
     else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
+    else if ((dividing->push != 0 || dividing->bulge > 0) &&
+             (method == WORD_Displacing_mesh || method == WORD_Displacing_bisection))
+        diag_add(r->session, scene_thing_span(&thing, dividing->push != 0 ? S_Displacement_push : S_Displacement_bulge),
+                 DIAG_scene_rounded, word_table[method].name);
     else if (!has_skirts(method, dividing->skirts))
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_skirts), DIAG_scene_skirts,
                  word_table[method].name, word_table[dividing->skirts].name);

@@ -6,11 +6,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+enum { SQUARE = 3 };
+
 static const char materials[] =
     "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 0.2, displacementBound: 0.3, "
     "displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"
     "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1, displacement: { map: "
     "Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n"
+    "  still: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 1e-6, displacement: { map: Gradient, "
+    "direction: [3, 5, 2], waveForm: Sin } }\n"
     "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: "
     "Gradient, direction: [2, 3, 1], waveForm: Sin },\n"
     "    blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] }] } }\n";
@@ -19,7 +23,8 @@ static const char *const bodies[DISPLACED_BODIES] = {
     "{ object: Sphere, radius: 0.9, material: tiles, detail: 12 }",
     "{ object: Cylinder, radius: 0.6, height: 1.2, detail: 12, material: leaning, transform: { translation: [0, 0, "
     "-0.6] } }",
-    "{ object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: rock, transform: { translation: [-1, -1, 0] } }"};
+    "{ object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: rock, transform: { translation: [-1, -1, 0] } }",
+    "{ object: Box, size: [2, 2, 2], material: still }"};
 
 Scene *displaced_body(int body, const char *how, const MatcOptions *options, MatcDocument **document)
 {
@@ -44,7 +49,7 @@ Scene *displaced_drawn(GlContext *gl, int body, const char *how, MatcDocument **
 static void look_from(Scene *scene, int body, int view)
 {
     const int views = DISPLACED_VIEWS;
-    const bool above = body == DISPLACED_BODIES - 1;
+    const bool above = body == SQUARE;
     const double z = above ? .5 + .4 * view / views : 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view,
                  r = sqrt(1 - z * z), distance = 1.7, way[3] = {r * cos(turn), r * sin(turn), z};
     for (int i = 0; i < 3; i++)

@@ -5,12 +5,12 @@
 
 enum {
     DISPLACED_EDGE = 64 /* pixels of the picture */,
-    DISPLACED_BODIES = 4,
+    DISPLACED_BODIES = 5,
     DISPLACED_VIEWS = 3,
     DISPLACED_VIEW_FLOATS = 4 * DISPLACED_EDGE * DISPLACED_EDGE
 };
 
-/* Displaced by `how`, such as "method: grid, level: 3": a box of rock, a ball of tiles, a cylinder that leans, a square of rock; so bright that light is above 0.1. */
+/* Displaced by `how`, such as "method: grid, level: 3": a box of rock, a ball of tiles, a cylinder that leans, a square of rock, a cube from -1 to 1 that nothing moves but by a millionth; so bright that light is above 0.1. */
 Scene *displaced_body(int body, const char *how, const MatcOptions *options, MatcDocument **document);
 /* Drawn once, so that its triangles came back. */
 Scene *displaced_drawn(GlContext *gl, int body, const char *how, MatcDocument **document);
