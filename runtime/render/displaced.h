@@ -19,6 +19,8 @@ typedef struct {
     GLuint buffers[DISPLACED_BUFFERS]; /* rows, patches, and which are drawn: displace_point.glsl */
     GLuint array;                      /* of no attributes */
     GLuint framebuffer, pixel; /* a draw wants one, though it gets nothing, and a context may have none of its own */
+    size_t room[2];            /* bytes of the mesh's rows and indices, which stay there as long as they suffice */
+    size_t numbered;           /* indices of the mesh that are 0, 1, 2 ... */
     int points;                /* that were written */
 } Displaced;
 

@@ -42,8 +42,8 @@ bool displaced_program(const DisplacedMaking *making, ProgramText *text, Materia
 /* Rows and patches become buffers, beside an empty one, an array and a framebuffer. */
 bool displaced_buffers(GlContext *gl, Displaced *made);
 bool displaced_fill(GlContext *gl, GLuint buffer, const void *bytes, size_t size);
-/* New memory for a buffer of the mesh, 0 its rows, 1 its indices: what is still drawn keeps the old one. */
-void displaced_reserve(const Displaced *displaced, const Mesh *mesh, int buffer, size_t bytes);
+/* Memory for a buffer of the mesh, 0 its rows, 1 its indices: what was there is lost where it did not suffice. */
+void displaced_reserve(Displaced *displaced, const Mesh *mesh, int buffer, size_t bytes);
 /* The mesh has these indices. NULL: memory ran out. */
 bool displaced_indices(Displaced *displaced, Mesh *mesh, const uint32_t *indices, size_t count);
 /* Its rows are triangles, one behind the other. */
