@@ -1,0 +1,161 @@
+/* Bent normals, the means of directions that are open, against rays of Embree; and what light of a hemisphere would be by them, against the same rays: by openness times what arrives along the normal, as the pass combine
+ * has it, and along the bent one. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/open_ray.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { EDGE = 96, APART = 5, ACROSS = 24, PLACES = EDGE * EDGE / (APART * APART), TEXT = 2048, SKIES = 4 };
+static const double radius = 10, pi = 3.14159265358979323846;
+
+static const char body[] =
+    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [.3, -4, 2.6], target: [.1, 0, .3], "
+    "angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .7, specular: 0 } }\nobjects:\n"
+    "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
+    "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, 1, 1] } }\n"
+    "- { object: Sphere, radius: .4, detail: 48, material: m, transform: { translation: [-.5, 0, .4] } }\n"
+    "- { object: Box, material: m, size: [.5, .5, .9], transform: { translation: [.5, -.2, .45], rotation: [0, 0, .4] "
+    "} }\n";
+
+/* Of half of the sky light 1 comes, and none of the other half: the middles of the bright ones. */
+static const double skies[SKIES][3] = {{0, 0, 1}, {.8, 0, .6}, {0, -.8, .6}, {-.6, .64, .48}};
+
+typedef struct {
+    int pixel;
+    double normal[3], open, way[3], light[SKIES]; /* of rays */
+} Place;
+
+typedef struct {
+    Place places[PLACES];
+    int count;
+} Truth;
+
+/* Even in the cosine: one ray in the middle of each cell of the unit square. */
+static void look_around(const Tracer *tracer, const Hit *hit, Place *place)
+{
+    const double *n = hit->normal;
+    double u[3], v[3], from[3];
+    const double aside[3] = {fabs(n[0]) < .6, fabs(n[0]) >= .6, 0};
+    reference_cross(n, aside, u);
+    reference_normalize(u);
+    reference_cross(n, u, v);
+    for (int k = 0; k < 3; k++)
+        from[k] = hit->world[k] + 1e-4 * hit->facet[k];
+    for (int i = 0; i < ACROSS * ACROSS; i++) {
+        const double s = (i % ACROSS + .5) / ACROSS, turn = 2 * pi * (i / ACROSS + .5) / ACROSS;
+        double way[3];
+        for (int k = 0; k < 3; k++)
+            way[k] = sqrt(s) * (cos(turn) * u[k] + sin(turn) * v[k]) + sqrt(1 - s) * n[k];
+        if (reference_is_blocked(tracer, from, way, radius))
+            continue;
+        place->open += 1. / (ACROSS * ACROSS);
+        for (int k = 0; k < 3; k++)
+            place->way[k] += way[k];
+        for (int sky = 0; sky < SKIES; sky++)
+            place->light[sky] += (reference_dot(way, skies[sky]) > 0) / (double)(ACROSS * ACROSS);
+    }
+}
+
+static void find_truth(const Scene *scene, Truth *truth)
+{
+    Tracer tracer = reference_open(scene);
+    for (int p = 0; p < EDGE * EDGE; p++) {
+        const int x = p % EDGE, y = p / EDGE;
+        if (x % APART != APART / 2 || y % APART != APART / 2 || truth->count == PLACES)
+            continue;
+        const Ray ray = reference_ray(scene, x + .5, y + .5);
+        const Hit hit = reference_hit(&tracer, &ray, 0);
+        if (!isfinite(hit.distance) || reference_is_edge(&tracer, x, y, &hit, 1))
+            continue;
+        Place *place = &truth->places[truth->count++];
+        *place = (Place){.pixel = p};
+        for (int k = 0; k < 3; k++)
+            place->normal[k] = hit.normal[k];
+        look_around(&tracer, &hit, place);
+        reference_normalize(place->way);
+    }
+    reference_close(&tracer);
+}
+
+static float *drawn(GlContext *gl, const char *keys, const char *view, Truth *truth, SceneCamera *camera)
+{
+    const MatcOptions options = frame_exact_options();
+    char text[TEXT];
+    MatcDocument *document;
+    snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, %s }\n%s", radius, keys, body);
+    Scene *scene = frame_scene(text, &options, &document);
+    if (!truth->count)
+        find_truth(scene, truth);
+    *camera = scene->camera;
+    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = view, .deep = true});
+    frame_forget(scene, document);
+    return rgba;
+}
+
+static void to_world(const SceneCamera *camera, const float *eye, double way[3])
+{
+    for (int k = 0; k < 3; k++)
+        way[k] = eye[0] * camera->right[k] + eye[1] * camera->up[k] + eye[2] * camera->back[k];
+    reference_normalize(way);
+}
+
+/* Of half a sky, over an even one: what arrives from a cap around a way that has the cosine's share `open`, as if the border went through it evenly. With all open it is the hemisphere's
+ * formula. */
+static double share_of_cap(double cosine, double open)
+{
+    return .5 + .5 * fmax(-1, fmin(1, cosine / sqrt(fmax(open, 1e-6))));
+}
+
+static void bent_normals_are_those_of_rays(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys;
+        double degrees, light; /* at most: off in the mean; of half skies by caps */
+    } cases[] = {{"method: hybrid, rays: 64", 1.5, .025},
+                 {"method: voxels, rays: 64", 1.5, .025},
+                 {"method: screen, rays: 64, steps: 16", 20, .09}};
+    Truth *truth = calloc(1, sizeof *truth);
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        SceneCamera camera;
+        float *open = drawn(gl, cases[i].keys, "open", truth, &camera);
+        float *bent = drawn(gl, cases[i].keys, "bent", truth, &camera);
+        double angle = 0, by[3] = {0};
+        for (int p = 0; p < truth->count; p++) {
+            const Place *place = &truth->places[p];
+            const double share = open[4 * place->pixel];
+            double way[3];
+            to_world(&camera, bent + 4 * place->pixel, way);
+            angle += acos(fmin(reference_dot(way, place->way), 1)) * 180 / pi / truth->count;
+            for (int sky = 0; sky < SKIES; sky++) {
+                const double along = reference_dot(place->normal, skies[sky]), cosine = reference_dot(way, skies[sky]);
+                const double found[3] = {share * (.5 + .5 * along), share * (.5 + .5 * cosine),
+                                         share * share_of_cap(cosine, share)};
+                for (int k = 0; k < 3; k++)
+                    by[k] += (found[k] - place->light[sky]) * (found[k] - place->light[sky]) / (SKIES * truth->count);
+            }
+        }
+        print_message(
+            "%s: %.1f degrees off in the mean, of %d places; light of half a sky along normals %.4f off, along bent "
+            "ones %.4f, of a cap around these %.4f\n",
+            cases[i].keys, angle, truth->count, sqrt(by[0]), sqrt(by[1]), sqrt(by[2]));
+        assert_true(truth->count > 200 && angle < cases[i].degrees && sqrt(by[2]) < cases[i].light);
+        free(open);
+        free(bent);
+    }
+    free(truth);
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(bent_normals_are_those_of_rays)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
