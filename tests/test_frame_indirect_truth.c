@@ -1,5 +1,5 @@
 /* Openness and indirect light by every method against many rays in double; how far each is off is printed, and bounded.
- * `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT [KEYS...]]`: rows of docs/indirect.md, of what is to be reached; of that mesh, y up, so far above the ground, as well. */
+ * `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT [KEYS...]]`, or `errors` without times: rows of docs/indirect.md, of what is to be reached; of that mesh, y up, so far above the ground, as well. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -100,11 +100,12 @@ int main(int count, char **arguments)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(methods_against_rays), cmocka_unit_test(bounces_and_samples)};
     const bool mesh = count > 3;
-    if (count > 1 && !strcmp(arguments[1], "goals"))
+    const bool timed = count > 1 && !strcmp(arguments[1], "goals");
+    if (timed || (count > 1 && !strcmp(arguments[1], "errors")))
         return !indirect_goals_print(&(IndirectGoals){.mesh = mesh ? arguments[2] : NULL,
                                                       .lift = mesh ? arguments[3] : "0",
                                                       .keys = (const char *const *)arguments + 4,
                                                       .key_count = mesh ? count - 4 : 0,
-                                                      .timed = true});
+                                                      .timed = timed});
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
