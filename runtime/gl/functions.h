@@ -105,7 +105,9 @@
     F(BINDIMAGETEXTURE, BindImageTexture)                                                                              \
     F(CLEARBUFFERSUBDATA, ClearBufferSubData)                                                                          \
     F(CLIPCONTROL, ClipControl)                                                                                        \
+    F(COPYBUFFERSUBDATA, CopyBufferSubData)                                                                            \
     F(DISPATCHCOMPUTE, DispatchCompute)                                                                                \
+    F(DISPATCHCOMPUTEINDIRECT, DispatchComputeIndirect)                                                                \
     F(DRAWARRAYSINDIRECT, DrawArraysIndirect)                                                                          \
     F(DRAWARRAYSINSTANCED, DrawArraysInstanced)                                                                        \
     F(DRAWELEMENTSINSTANCEDBASEINSTANCE, DrawElementsInstancedBaseInstance)                                            \

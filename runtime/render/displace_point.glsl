@@ -55,11 +55,14 @@ uvec3 displaceCorners(uint patchNumber)
 }
 
 #ifdef DISPLACE_POINT
-precise out vec3 displaced_position;
-out vec3 displaced_normal;
-out vec2 displaced_texcoord;
-out vec3 displaced_tangentU, displaced_tangentV;
-precise out vec3 displaced_base;
+#ifndef DISPLACE_OUT
+#define DISPLACE_OUT out
+#endif
+precise DISPLACE_OUT vec3 displaced_position;
+DISPLACE_OUT vec3 displaced_normal;
+DISPLACE_OUT vec2 displaced_texcoord;
+DISPLACE_OUT vec3 displaced_tangentU, displaced_tangentV;
+precise DISPLACE_OUT vec3 displaced_base;
 
 // The rows by which the point moves: all that stand in its place have the same.
 uvec3 displaceMoving(uint first, uvec3 own, vec3 w)

@@ -6,7 +6,7 @@
 
 /* A method's row says how its triangles are made; displaced_method.h has what a row may say. */
 static const DisplacedMethod *const methods[] = {&displaced_grid, &displaced_tessellation, &displaced_geometry,
-                                                 &displaced_points, &displaced_feedback};
+                                                 &displaced_points, &displaced_feedback, &displaced_bisection};
 
 /* `auto` is the grid. */
 static const DisplacedMethod *method_of(Word word)
@@ -81,6 +81,27 @@ bool displaced_write(Displaced *d, const SceneCamera *camera, const int size[2],
     return d->written;
 }
 
+static bool is_gap(const Shape *shape, const uint32_t *index)
+{
+    const float *p = shape->vertices[index[0]].position;
+    return !memcmp(p, shape->vertices[index[1]].position, 3 * sizeof *p) &&
+           !memcmp(p, shape->vertices[index[2]].position, 3 * sizeof *p);
+}
+
+/* Of what merged, its room is left, with no area. */
+static void close_gaps(Shape *shape)
+{
+    int count = 0;
+    for (int i = 0; i < shape->index_count; i += 3) {
+        uint32_t *index = &shape->indices[i];
+        if (!is_gap(shape, index)) {
+            memmove(&shape->indices[count], index, 3 * sizeof *index);
+            count += 3;
+        }
+    }
+    shape->index_count = count;
+}
+
 bool displaced_read(const Displaced *d, const Mesh *mesh, Shape *made)
 {
     GlContext *gl = displaced_context(d);
@@ -105,6 +126,8 @@ bool displaced_read(const Displaced *d, const Mesh *mesh, Shape *made)
         memcpy(made->base[i], points[i].base, sizeof made->base[i]);
     }
     free(points);
+    if (fine && d->method == &displaced_bisection)
+        close_gaps(made);
     if (!fine)
         shape_free(made);
     return fine;

@@ -30,10 +30,12 @@ bool displaced_program(const DisplacedMaking *making, ProgramText *text, Materia
 {
     static const char *const captured[] = {"displaced_position", "displaced_normal",   "displaced_texcoord",
                                            "displaced_tangentU", "displaced_tangentV", "displaced_base"};
-    text->fragment[0] = displaced_version;
-    text->fragment[1] = "void main() {}\n";
-    text->captured = captured;
-    text->captured_count = sizeof captured / sizeof *captured;
+    if (!text->compute[0]) {
+        text->fragment[0] = displaced_version;
+        text->fragment[1] = "void main() {}\n";
+        text->captured = captured;
+        text->captured_count = sizeof captured / sizeof *captured;
+    }
     if (!material_make(making->store, making->program, text, made))
         return false;
     set_spaces(making->scene, making->patches, made);

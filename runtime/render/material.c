@@ -144,6 +144,8 @@ bool material_write(Material *m, const char *block, const void *bytes, size_t si
 static ProgramText complete(const ProgramText *text, const MatcProgram *program)
 {
     ProgramText whole = *text;
+    if (whole.compute[0])
+        return whole;
     if (program && !whole.vertex[0])
         whole.vertex[0] = matc_output(program, MATC_VERTEX, NULL);
     if (program && !whole.fragment[0])

@@ -25,6 +25,7 @@ typedef struct {
 struct SceneDisplacer {
     MatcOptions options;
     Word method;      /* WORD_Displacing_mesh, ... */
+    bool processor;   /* whoever draws cannot displace */
     SceneSeen seen;   /* where meshes go by that */
     MatcMoves *moves; /* by material */
     Base *bases;      /* by object */
@@ -127,7 +128,8 @@ static bool make_mesh(Maker *k, const SceneObject *object, const Base *base, Sce
                                  .dividing = scene->dividing,
                                  .triangles = scene->displaced_triangles,
                                  .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL, /* by bisection alone */
-                                 .pixels = scene->displaced_pixels};
+                                 .pixels = scene->displaced_pixels,
+                                 .processor = k->by->processor};
     SceneObject before = *object;
     Shape solid = {0};
     before.kind = base->kind;
@@ -310,6 +312,7 @@ SceneDisplaced scene_displace_by(Scene *scene, Word method)
     if (!scene->displaced)
         return SCENE_DISPLACED_none;
     scene->displacer->method = method;
+    scene->displacer->processor = false;
     const SceneDisplaced made = displace_objects(scene, -1, 0, scene->object_count);
     if (made == SCENE_DISPLACED_failed)
         scene->displaced_by = scene->displacer->method = before;
@@ -321,9 +324,10 @@ bool scene_displace_patches(const Scene *scene)
     SceneDisplacer *by = scene->displacer;
     Maker k = {.scene = scene, .by = by};
     bool fine = true;
-    if (!scene->displaced || !scene_displaced_by_driver(by->method))
+    if (!scene->displaced || !scene_displaced_by_driver(by->method, scene->displaced_pixels))
         return true;
-    by->method = WORD_Displacing_mesh;
+    by->processor = true;
+    by->method = by->method == WORD_Displacing_bisection ? by->method : WORD_Displacing_mesh;
     for (int i = 0; fine && i < scene->object_count; i++) {
         SceneMesh *mesh = by->bases[i].kind != SCENE_Plane ? &scene->meshes[scene->objects[i].mesh] : NULL, made;
         if (!mesh || !mesh->patches)

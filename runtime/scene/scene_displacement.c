@@ -216,7 +216,8 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     const int parts = parts_of(how, from);
     const bool rounded =
         how->dividing.push != 0 || how->dividing.bulge > 0; /* by corners of the mesh's own triangles */
-    const int across = how->method == WORD_Displacing_feedback || rounded ? 1
+    const int across = how->method == WORD_Displacing_feedback || how->method == WORD_Displacing_bisection || rounded
+                           ? 1
                        : by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
                                     : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
     const int most = how->level && how->level < SCENE_PATCH_PARTS ? how->level : SCENE_PATCH_PARTS;
@@ -252,15 +253,16 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     return true;
 }
 
-bool scene_displaced_by_driver(Word method)
+bool scene_displaced_by_driver(Word method, double pixels)
 {
-    return method != WORD_Displacing_mesh && method != WORD_Displacing_bisection;
+    return method != WORD_Displacing_mesh && (method != WORD_Displacing_bisection || pixels > 0);
 }
 
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made)
 {
     *made = (SceneMesh){.path = "", .part = -1};
-    if (scene_displaced_by_driver(how->method) && !divide_to_patches(how, from, &made->shape, &made->patches))
+    if (!how->processor && scene_displaced_by_driver(how->method, how->pixels) &&
+        !divide_to_patches(how, from, &made->shape, &made->patches))
         return false;
     return made->patches || divide(how, from, &made->shape);
 }

@@ -16,13 +16,14 @@ typedef struct {
     int level;             /* parts of an edge of `from`, whatever `triangles` are; 0: by these */
     const SceneSeen *seen; /* by whom, where triangles go by what is seen; or NULL */
     double pixels;         /* that an error may have then */
+    bool processor;        /* whoever draws cannot displace */
 } SceneDisplacing;
 
 /* Moved triangles; or, by a method of the driver's, patches: where the height has a bound, since nobody knew else where points are. False: memory ran out, or a value takes too
  * many operations; *made is empty. */
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
-/* Whoever draws the scene displaces by that method. */
-bool scene_displaced_by_driver(Word method);
+/* Whoever draws the scene displaces by that method, where an error may have so many pixels, or, 0, is not looked at. */
+bool scene_displaced_by_driver(Word method, double pixels);
 /* That it has, or is made into, at most. */
 int64_t scene_displaced_triangles(const SceneMesh *mesh);
 #endif
