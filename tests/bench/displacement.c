@@ -287,6 +287,11 @@ static bool measure_programs(GlContext *gl, const Arguments *a)
 
 static bool measure_table(GlContext *gl, const Arguments *a) { return displacement_table(gl, a->timed, a->most); }
 
+static bool measure_bisection(GlContext *gl, const Arguments *a)
+{
+    return displacement_bisection(gl, a->timed, a->most / 4);
+}
+
 /* -- the command */
 
 static const struct {
@@ -296,6 +301,7 @@ static const struct {
 } tables[] = {{"error", measure_error, false},
               {"speed", measure_speed, false},
               {"programs", measure_programs, false},
+              {"bisection", measure_bisection, true},
               {"table", measure_table, true}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
@@ -322,7 +328,7 @@ int bench_displacement(int argc, char **argv)
     for (int i = 1; i < argc; i++)
         if (!read_argument(argv[i], &a)) {
             fputs("usage: matbench displacement [--untimed] [--gl=osmesa|egl] [--map=FILE] [--triangles=N] [error] "
-                  "[speed] [programs] [table]\n",
+                  "[speed] [programs] [bisection] [table]\n",
                   stderr);
             return 2;
         }

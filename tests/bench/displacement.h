@@ -7,4 +7,5 @@ typedef struct GlContext GlContext;
 /* False: it is told why. */
 bool displacement_programs(GlContext *gl, bool timed, int triangles);
 bool displacement_table(GlContext *gl, bool timed, int most);
+bool displacement_bisection(GlContext *gl, bool timed, int triangles);
 #endif
