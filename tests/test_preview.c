@@ -140,6 +140,13 @@ static void slots_are_shown(void **state)
         {"metalness", "{ material: Principled, metalness: 0.25 }", {63.75, 63.75, 63.75}},
         {"roughness", "{ material: Principled, roughness: 0.75 }", {191.25, 191.25, 191.25}},
         {"reflectance", "{ material: Principled, ior: 3 }", {63.75, 63.75, 63.75}}, /* ((3 - 1) / (3 + 1))^2 */
+        {"coat", "{ material: Principled, coat: 0.25 }", {63.75, 63.75, 63.75}},
+        {"coatTint", "{ material: Principled, coat: 1, coatDarkening: 0, coatColor: [0.5, 0.2, 0] }", {187.5, 123.6, 0}},
+        {"coatRoughness", "{ material: Principled, coat: 1, coatRoughness: 0.75 }", {191.25, 191.25, 191.25}},
+        {"coatReflectance", "{ material: Principled, coat: 1, coatIor: 3 }", {63.75, 63.75, 63.75}},
+        {"fuzz", "{ material: Principled, fuzz: 0.25 }", {63.75, 63.75, 63.75}},
+        {"fuzzColor", "{ material: Principled, fuzz: 1, fuzzColor: [0.5, 0.2, 0] }", {187.5, 123.6, 0}},
+        {"fuzzRoughness", "{ material: Principled, fuzz: 1, fuzzRoughness: 0.75 }", {191.25, 191.25, 191.25}},
         {"model", "{ material: Principled }", {255, 255, 255}},
         {"model", "{}", {0, 0, 0}},
     };

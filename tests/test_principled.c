@@ -7,6 +7,7 @@
 #include <cmocka.h>
 #include "runtime/render/screen_pass.h"
 #include "runtime/render/surface_model.h"
+#include "compiler/matc.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>
@@ -70,14 +71,14 @@ static const char around[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(made(vec3(1.0), vec3(1.0), vec3(varied(p, 0.733), roughOf(p), 0.3)), toward(cosineOf(p), 0.0)); "
     "return vec4(surfaceAmbient(m, vec3(1.0)), 1.0); }\n";
 
-static void run(GlContext *gl, const char *body, float (*said)[4])
+static void run_texts(GlContext *gl, const char *const texts[4], float (*said)[4])
 {
     Store *store = store_new(gl);
     Screen screen;
     ScreenPass pass;
     Framebuffer target;
     const FramebufferSpec spec = {.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA32F};
-    const ScreenPassText text = {.body = {head, surface_model_principled.text, tools, body}, .format = "RGBA32F"};
+    const ScreenPassText text = {.body = {texts[0], texts[1], texts[2], texts[3]}, .format = "RGBA32F"};
     if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !screen_pass_make(store, &text, &pass))
         fail_msg("%s", gl->error);
     screen_pass_run(&pass, &target, &screen);
@@ -86,6 +87,11 @@ static void run(GlContext *gl, const char *body, float (*said)[4])
     framebuffer_delete(gl, &target);
     screen_delete(gl, &screen);
     store_free(store);
+}
+
+static void run(GlContext *gl, const char *body, float (*said)[4])
+{
+    run_texts(gl, (const char *const[]){head, surface_model_principled.text, tools, body}, said);
 }
 
 static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
@@ -239,9 +245,37 @@ static void light_and_eye_change_places(void **state)
     assert_true(worst < .01);
 }
 
+/* The text that matc writes for a layout, the lobe, and no more. */
+static void stands_behind_unpacking(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    static const char *const layouts[] = {"compact", "integer"};
+    static const char text[] = "material: Principled\nbaseColor: 1\n";
+    static const char body[] = "vec4 passPixel(ivec2 p) { Surface s = unpackTexels(TEXELS); s.normal = vec3(0.0, 0.0, 1.0); s.diffuse = s.specular = vec3(1.0); "
+                               "s.metalness = 0.0; s.roughness = 1.0; s.reflectance = 0.04; s.coatTint = vec3(1.0); s.transparency = s.emissive = vec3(0.0); s.coat = s.fuzz = 0.0; "
+                               "return vec4(surfaceAmbient(surfaceLit(s, vec3(0.0, 0.0, 1.0)), vec3(1.0)) + surfaceOwn(surfaceLit(s, vec3(0.0, 0.0, 1.0))), 1.0); }\n";
+    for (int i = 0; i < 2; i++) {
+        MatcOptions options;
+        matc_options_init(&options);
+        options.layout = layouts[i];
+        MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
+        MatcProgram *program = matc_compile(document, 0, MATC_UNPACK, &options);
+        assert_true(matc_ok(program));
+        GlContext *gl = frame_context();
+        const char *const texts[] = {matc_output(program, MATC_UNPACK, NULL), i ? "#define TEXELS uvec4(0u), uvec4(0u), uvec4(0u)\n" : "#define TEXELS uvec4(0u)\n"};
+        run_texts(gl, (const char *const[]){texts[0], surface_model_principled.text, texts[1], body}, said);
+        gl_close(gl);
+        matc_program_free(program);
+        matc_document_free(document);
+        assert_true(fabs((double)said[0][0] - 1) < .01);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(albedos_are_fitted), cmocka_unit_test(lobes_are_microfacets),
-                                       cmocka_unit_test(white_sends_all), cmocka_unit_test(light_and_eye_change_places)};
+                                       cmocka_unit_test(white_sends_all), cmocka_unit_test(light_and_eye_change_places),
+                                       cmocka_unit_test(stands_behind_unpacking)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -28,6 +28,13 @@ static const SlotLook looks[SLOT_LOOK_COUNT] = {
     {"roughness", NUMBER},
     {"reflectance", NUMBER},
     {"model", NUMBER},
+    {"coat", NUMBER},
+    {"coatTint", COLOR},
+    {"coatRoughness", NUMBER},
+    {"coatReflectance", NUMBER},
+    {"fuzz", NUMBER},
+    {"fuzzColor", COLOR},
+    {"fuzzRoughness", NUMBER},
 };
 
 const char *slot_look_name(int i) { return looks[i].name; }
