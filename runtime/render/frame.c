@@ -33,7 +33,7 @@ const FramePass frame_passes[] = {
      "always: what is not drawn is clear",
      NULL},
     {{"plane", 0, 0, DEPTH | GBUFFER, 0}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane", NULL},
-    {{"positions", DEPTH, MESH, 0, 0},
+    {{"mesh", DEPTH, MESH, 0, 0},
      pass_positions_needed,
      pass_positions_make,
      pass_positions_draw,

@@ -45,8 +45,31 @@ static int least(int a, int b) { return a < b ? a : b; }
 
 static int round_up(int a, int step) { return (a + step - 1) / step * step; }
 
-/* What stays together: blocks of 2 x 2, and the samples of a pixel. */
-static int step_of(const Render *render) { return render->samples % 2 ? 2 * render->samples : render->samples; }
+/* What stays together: blocks of 2 x 2, or of pixels for which rays go out, and the samples of a pixel. */
+static int step_of(const Render *render)
+{
+    const int block = indirect_coarse(render) > 2 ? indirect_coarse(render) : 2;
+    int step = render->samples;
+    while (step % block)
+        step += render->samples;
+    return step;
+}
+
+/* Something looks at so much of the picture that there are no tiles. */
+static bool is_whole(const Render *render)
+{
+    const unsigned there = render->plan.there;
+    return there & 1u << FRAME_TARGET_positions || (there & 1u << FRAME_TARGET_open && indirect_margin(render) < 0);
+}
+
+/* What a tile looks at around itself: edges at their neighbours, indirect light farther. */
+static int margin_of(const Render *render)
+{
+    const unsigned there = render->plan.there;
+    const int step = step_of(render), beside = there & 1u << FRAME_TARGET_edge ? step : 0;
+    const int around = there & 1u << FRAME_TARGET_open && !is_whole(render) ? indirect_margin(render) + beside : 0;
+    return around > beside ? round_up(around, step) : beside;
+}
 
 /* Whole rows that the memory holds; blocks of far lights stay together, too. */
 static size_t rows_in_memory(const Render *render, int width)
@@ -77,23 +100,38 @@ static void find_tile(const Render *render, int margin, int tile[2])
     const int width = find_width(render, margin), beside = render->whole[0] + 2 * margin;
     const int height =
         least(least(render->whole[1], most), light_far_rows(render, width + 2 * margin) - 2 * margin);
-    const size_t rows =
-        render->plan.there & (1u << FRAME_TARGET_open | 1u << FRAME_TARGET_positions) ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
+    const bool whole = is_whole(render);
+    const size_t rows = whole ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
+    const int wanted[2] = {whole ? 0 : options->tile[0] * render->samples, whole ? 0 : options->tile[1] * render->samples};
     const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
     const int fewest = RENDER_TILE_LEAST * render->samples;
-    tile[0] = least(width, options->tile[0] ? options->tile[0] * render->samples : width);
-    tile[1] = least(height, options->tile[1] ? options->tile[1] * render->samples : spare < fewest ? fewest : spare);
-    for (int i = 0; i < 2; i++)
-        tile[i] -= tile[i] % render->samples;
+    tile[0] = least(width, wanted[0] ? wanted[0] : width);
+    tile[1] = least(height, wanted[1] ? wanted[1] : spare < fewest ? fewest : spare);
+    for (int i = 0; i < 2; i++) {
+        const int together = indirect_coarse(render) > 1 && tile[i] < render->whole[i] ? step : render->samples;
+        tile[i] = tile[i] > together ? tile[i] - tile[i] % together : together;
+    }
 }
 
-/* Edges look at pixels beside them, which have to be drawn with a tile, too. */
+static bool is_tiled(const Render *render, const int tile[2])
+{
+    return tile[0] < render->whole[0] || tile[1] < render->whole[1];
+}
+
+bool frame_memory_fits(const Render *render)
+{
+    const int margin = render->margin, tile[2] = {render->size[0] - 2 * margin, render->size[1] - 2 * margin};
+    const int needed = margin_of(render); /* of what is drawn at once, its edges' */
+    return !is_tiled(render, tile) || (is_whole(render) ? margin <= needed : needed <= margin);
+}
+
+/* Edges look at pixels beside them, which have to be drawn with a tile, too; indirect light farther. */
 void frame_memory_size(Render *render)
 {
-    const int margin = render->plan.there & 1u << FRAME_TARGET_edge ? step_of(render) : 0;
+    const int margin = margin_of(render);
     int tile[2];
     find_tile(render, margin, tile);
-    render->margin = tile[0] < render->whole[0] || tile[1] < render->whole[1] ? margin : 0;
+    render->margin = is_tiled(render, tile) ? margin : 0;
     for (int i = 0; i < 2; i++) {
         render->size[i] = tile[i] + 2 * render->margin;
         render->at[i] = -render->margin;

@@ -5,6 +5,8 @@
 
 /* The size of targets and the margin around a tile, and their place: by the plan and the memory that the caller allows. */
 void frame_memory_size(Render *render);
+/* The camera is another: the margin is still enough. */
+bool frame_memory_fits(const Render *render);
 /* Makes render->memory and render->textures, of that size. False: out of memory. */
 bool frame_memory_make(Render *render);
 void frame_memory_delete(Render *render);

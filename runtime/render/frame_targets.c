@@ -4,7 +4,7 @@
 #include <string.h>
 
 static const char *const names[FRAME_TARGET_COUNT] = {
-    "depth",   "gbuffer", "shadow", "voxels", "cubes", "positions", "radiance", "seen",    "lists",    "far",   "light", "rays",
+    "depth",   "gbuffer", "shadow", "voxels", "cubes", "mesh", "radiance", "seen",    "lists",    "far",   "light", "rays",
     "history", "smooth",  "open",   "edge",   "mask",  "layer",    "layer.z", "layer.id", "tools", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }

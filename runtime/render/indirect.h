@@ -66,6 +66,12 @@ int indirect_moving(const Render *render);
 bool indirect_moves(const Render *render);
 /* To how many of these on each side what rays find is smoothed, at most; 0: it is not. */
 int indirect_filter_size(const Render *render, int coarse);
+/* Pixels around a tile that it has to be drawn with, so that it is as in the whole picture; -1: that is drawn at once. indirect_tile.c */
+int indirect_margin(const Render *render);
+/* Of these, those that smoothing looks at. */
+int pass_smooth_reach(const Render *render);
+/* How far the method hybrid follows rays through the picture, in the world's units. */
+double indirect_near(const Render *render);
 /* How far rays go, in the world's units. */
 double indirect_radius(const Scene *scene, const Cache *cache);
 

@@ -44,7 +44,7 @@ IndirectHit indirectMarch(vec3 from, vec3 way, float less, vec4 center)
         if (!indirectIsOrthographic() && -point.z <= indirect_view.x) break;
         vec2 place = indirectPlace(point);
 #endif
-        if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, indirect_picture.xy))) break;
+        if (!indirectIsShown(place)) break;
         ivec2 pixel = ivec2(place);
         float depth = texelFetch(indirect_depth, pixel, 0).x;
         if (depth <= 0.0 || !indirectIsBehind(point, depth)) continue;
@@ -78,8 +78,7 @@ IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
     if (!voxelMarch(voxelPlace(origin.from), voxelDirection(whole), INDIRECT_STEPS, -less, t)) return IndirectHit(-1.0, ivec2(0), vec3(0.0));
     vec3 end = origin.from + t * whole;
     vec2 place = indirectPlace(end);
-    bool shown = (indirectIsOrthographic() || -end.z > indirect_view.x) && all(greaterThanEqual(place, vec2(0.0))) &&
-                 all(lessThan(place, indirect_picture.xy));
+    bool shown = (indirectIsOrthographic() || -end.z > indirect_view.x) && indirectIsShown(place);
     return IndirectHit(t, shown ? ivec2(place) : ivec2(-1), vec3(0.0));
 }
 #else

@@ -70,7 +70,7 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
             for (int j = 0; j < INDIRECT_STEPS; j++) {
                 float s = (float(j) + 1.0 - INDIRECT_JITTER * fract(shift.z + 0.618034 * float(2 * i + (side + 1) / 2))) / float(INDIRECT_STEPS);
                 vec2 place = middle + s * s * whole;
-                if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, indirect_picture.xy))) break;
+                if (!indirectIsShown(place)) break;
                 ivec2 at = ivec2(place);
                 float depth = texelFetch(indirect_depth, at, 0).x;
                 if (depth <= 0.0 || at == pixel) continue;

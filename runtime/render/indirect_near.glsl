@@ -51,7 +51,7 @@ bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout Indire
         float s = step_ * (float(j) - less);
         vec3 place = origin.from + s * way;
         vec2 at = place.xy * (flat_ ? scale : scale / -place.z) + middle;
-        if ((!flat_ && -place.z <= indirect_view.x) || any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, indirect_picture.xy))) break;
+        if ((!flat_ && -place.z <= indirect_view.x) || !indirectIsShown(at)) break;
         float depth = texelFetch(indirect_depth, ivec2(at), 0).x;
         float behind = (flat_ ? (depth - 1.0) * indirect_view.x : -indirect_view.x / max(depth, 1e-30)) - place.z;
         if (depth <= 0.0 || behind <= 0.0 || behind > indirect_models.y) continue;

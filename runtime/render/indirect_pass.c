@@ -82,7 +82,9 @@ const char *indirect_surface_text(const Render *render)
     return render->set.unpack ? render->set.unpack : "struct Surface { float nothing; };\n";
 }
 
-/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do. y: a voxel of the map may be off by its diagonal. */
+double indirect_near(const Render *render) { return NEAR * voxel_grid(render->scene, &render->cache).edge; }
+
+/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do. y: a voxel of the map may be off by its diagonal. zw: the pixel of the picture that a tile begins with. */
 static void set_models(const Render *render, float models[4])
 {
     const double thick = 2, part = .5; /* voxels, but the last */
@@ -90,7 +92,7 @@ static void set_models(const Render *render, float models[4])
     const bool voxels = indirect_reads_voxels(render);
     const double edge = voxels ? voxel_grid(render->scene, &render->cache).edge : 0;
     const double radius = indirect_radius(render->scene, &render->cache);
-    models[0] = (float)(NEAR * edge);
+    models[0] = voxels ? (float)indirect_near(render) : 0;
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
 
@@ -127,8 +129,11 @@ static void set_block(const Render *render, ScreenPass *pass)
     block[2][2] = in->offset > 0 ? 0 : (float)lift;
     block[2][3] = (float)in->contrast;
     set_models(render, block[3]);
-    for (int i = 0; i < 2; i++)
-        block[4][i] = (float)render->size[i];
+    for (int i = 0; i < 2; i++) {
+        const int beyond = render->whole[i] - render->at[i];
+        block[3][2 + i] = (float)render->at[i];
+        block[4][i] = (float)(beyond < render->size[i] ? beyond : render->size[i]);
+    }
     block[4][3] = in->filter_size ? INFINITY : (float)(part * indirect_radius(render->scene, &render->cache));
     indirect_sequence_samples(in->sequence, in->rays, samples);
     for (int i = 0; i < in->rays; i++) {

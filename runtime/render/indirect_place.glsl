@@ -4,8 +4,8 @@ uniform sampler2D indirect_depth; // near over distance, or 1 to 0 where orthogr
 layout(std140) uniform Indirect {
     vec4 indirect_ray, indirect_view; // of view_space.h
     vec4 indirect_reach;              // x: radius; y: how far off the surface rays begin, and z: the same in pixels; w: contrast
-    vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is
-    vec4 indirect_picture;            // xy: its size in pixels; w: how far smoothing reaches in space
+    vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is; zw: the picture's pixel that is the first here, of a tile
+    vec4 indirect_picture;            // xy: its size in pixels, or where it ends here; w: how far smoothing reaches in space
     vec4 indirect_samples[INDIRECT_RAYS]; // z: of points
 #if INDIRECT_ROTATION == 3
     uvec4 indirect_shifts[INDIRECT_SHIFTS]; // ranks of blue noise, two in a lane
@@ -29,6 +29,10 @@ vec2 indirectPlace(vec3 point)
     vec2 flat_ = indirectIsOrthographic() ? point.xy : point.xy / -point.z;
     return 0.5 * (flat_ / indirect_ray.xy + indirect_ray.zw);
 }
+
+// Where the picture begins: what a tile has before that, around itself, is not in it.
+vec2 indirectLow() { return max(-indirect_models.zw, vec2(0.0)); }
+bool indirectIsShown(vec2 place) { return all(greaterThanEqual(place, indirectLow())) && all(lessThan(place, indirect_picture.xy)); }
 
 // Of a pixel, at a point: its width in space.
 float indirectPixelSize(vec3 point)
@@ -83,8 +87,9 @@ vec2 indirectSobol(uint number)
 }
 #endif
 
-IndirectShift indirectShift(ivec2 pixel, int number)
+IndirectShift indirectShift(ivec2 here, int number)
 {
+    ivec2 pixel = here + ivec2(indirect_models.zw);
     vec3 more = fract(float(number) * vec3(0.7548777, 0.5698403, 0.6180340));
 #ifdef INDIRECT_TURNS_BITS
     more.xy = indirectSobol(uint(number * INDIRECT_BLOCK));

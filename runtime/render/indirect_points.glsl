@@ -18,7 +18,7 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, o
         if (!voxelAt(voxelPlace(place))) continue;
 #else
         vec2 at = indirectPlace(place);
-        if ((!indirectIsOrthographic() && -place.z <= indirect_view.x) || any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, indirect_picture.xy))) continue;
+        if ((!indirectIsOrthographic() && -place.z <= indirect_view.x) || !indirectIsShown(at)) continue;
         float depth = texelFetch(indirect_depth, ivec2(at), 0).x;
         if (depth <= 0.0 || !indirectIsBehind(place, depth)) continue;
 #ifdef INDIRECT_CHECKED

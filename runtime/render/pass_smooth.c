@@ -22,6 +22,13 @@ static int atrous_levels(const Render *render)
     return (render->scene->indirect.filter_size > narrow ? 4 : 2) - odd;
 }
 
+int pass_smooth_reach(const Render *render)
+{
+    const int coarse = indirect_coarse(render), spread = coarse > 1 ? 2 : 0;
+    const int reach = is_atrous(render) ? 2 * ((1 << atrous_levels(render)) - 1) + 1 : indirect_filter_size(render, coarse);
+    return indirect_is_smoothed(render) ? coarse * (reach + spread) : 0;
+}
+
 bool pass_smooth_needed(const Render *render) { return indirect_is_smoothed(render); }
 
 static bool make(Render *render, bool spread, int coarse, ScreenPass *pass)

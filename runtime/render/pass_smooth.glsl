@@ -21,7 +21,8 @@ float smoothWeight(SmoothPlace from, ivec2 pixel, float away)
     return near * turned * turned;
 }
 
-// Of the part of the source that is filled.
+// Where the picture begins and ends in the source.
+ivec2 smoothLow() { return ivec2(indirectLow()) / INDIRECT_COARSE; }
 ivec2 smoothSize() { return (ivec2(indirect_picture.xy) + INDIRECT_COARSE - 1) / INDIRECT_COARSE; }
 
 #ifdef SMOOTH_ATROUS
@@ -44,7 +45,7 @@ vec2 smoothNoise(SmoothPlace from, ivec2 at)
     float weights = 0.0;
     for (int y = -1; y <= 1; y++)
         for (int x = -1; x <= 1; x++) {
-            ivec2 beside = clamp(at + ivec2(x, y), ivec2(0), smoothSize() - 1);
+            ivec2 beside = clamp(at + ivec2(x, y), smoothLow(), smoothSize() - 1);
             float weight = smoothWeight(from, indirectPixel(beside), float(INDIRECT_COARSE * (abs(x) + abs(y))));
             vec2 lanes = smoothLanes(texelFetch(smooth_rays, beside, 0));
             sum += weight * lanes;
@@ -71,7 +72,7 @@ vec4 passPixel(ivec2 at)
     for (int y = -2; y <= 2; y++)
         for (int x = -2; x <= 2; x++) {
             ivec2 beside = at + apart * ivec2(x, y);
-            if (any(lessThan(beside, ivec2(0))) || any(greaterThanEqual(beside, smoothSize()))) continue;
+            if (any(lessThan(beside, smoothLow())) || any(greaterThanEqual(beside, smoothSize()))) continue;
             vec4 value = texelFetch(smooth_source, beside, 0);
             float same = kernel[abs(x)] * kernel[abs(y)] * (x == 0 && y == 0 ? 1.0 : smoothWeight(from, indirectPixel(beside), float(INDIRECT_COARSE * apart * (abs(x) + abs(y)))));
             vec2 weight = vec2(same);
@@ -96,13 +97,13 @@ vec4 passPixel(ivec2 at)
     if (depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
     vec3 point = indirectPoint(pixel, depth);
     SmoothPlace from = SmoothPlace(point, indirectNormal(pixel), indirectPixelSize(point));
-    ivec2 size = smoothSize();
+    ivec2 first = smoothLow(), size = smoothSize();
     float reach = clamp(indirect_picture.w / (from.width * float(INDIRECT_COARSE)), min(2.0, float(INDIRECT_FILTER)), float(INDIRECT_FILTER));
     float sum = 0.0;
     vec4 mean = vec4(0.0), nearest = vec4(0.0, 0.0, 0.0, 1.0);
     for (int i = 0; i < count.x * count.y; i++) {
         ivec2 beside = low + ivec2(i % count.x, i / count.x), source = middle + beside;
-        if (any(lessThan(source, ivec2(0))) || any(greaterThanEqual(source, size))) continue;
+        if (any(lessThan(source, first)) || any(greaterThanEqual(source, size))) continue;
         ivec2 shown = indirectPixel(source);
         vec2 apart = abs(vec2(shown - pixel)) / float(INDIRECT_COARSE);
         vec2 share = clamp(reach + 0.5 - apart, vec2(0.0), vec2(1.0));

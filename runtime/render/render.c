@@ -1,6 +1,6 @@
 /* The renderer as its caller sees it: what is made when, and what is read. */
 #include "runtime/render/render.h"
-#include "runtime/render/frame.h"
+#include "runtime/render/frame_memory.h"
 #include "runtime/render/light_far.h"
 #include <stdlib.h>
 #include <string.h>
@@ -254,7 +254,7 @@ bool render_changed(Render *render, unsigned what)
         const CacheSource source = frame_source(render);
         if (!cache_view(render->gl, &source, &render->cache))
             return false;
-        if (render->cache.displaced_anew && source.triangles)
+        if ((render->cache.displaced_anew && source.triangles) || !frame_memory_fits(render))
             return render_changed_meshes(render);
         if (render->cache.displaced_anew) /* and casts other shadows */
             render->cache.displaced_anew = render->shadows.drawn = false;

@@ -74,7 +74,9 @@ static void mean(const float *samples, int stride, int n, bool slot, float out[4
 
 static void reduce(const Render *render, const float *samples, float *rgba)
 {
-    const int n = render->samples, stride = render->size[0], width = stride / n, height = render->size[1] / n;
+    const int n = render->samples, stride = render->size[0], margin = render->margin;
+    const int width = render_tile_width(render), height = render_tile_height(render);
+    samples += 4 * ((size_t)margin * (size_t)stride + (size_t)margin);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++)
             mean(samples + 4 * ((size_t)y * (size_t)stride + (size_t)x) * (size_t)n, stride, n, render->has_reader,
@@ -103,7 +105,7 @@ bool render_read(Render *render, float *rgba)
         return false;
     if (!strcmp(view_of(render), "shown"))
         return framebuffer_read_part(render->gl, &render->draws[FRAME_DRAW_shown], &part, rgba);
-    return render->samples > 1 ? read_mean(render, rgba) : read_samples(render, rgba);
+    return render->samples > 1 || render->margin ? read_mean(render, rgba) : read_samples(render, rgba);
 }
 
 int render_map_count(const Render *render) { return render->shadows.maps ? render->shadows.views.count : 0; }
