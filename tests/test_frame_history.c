@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_running.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,45 +23,22 @@ static const char room[] =
     "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, .7, 1] } }\n"
     "- { object: Sphere, radius: .3, detail: 24, material: m, transform: { translation: [-.2, -.6, .6] } }\n";
 
-typedef struct {
-    MatcOptions options;
-    MatcDocument *document;
-    Scene *scene;
-    Render *render;
-    float rgba[4 * PIXELS];
-} Rig;
-
 static GlContext *gl; /* all are drawn in one */
 
-static void open_rig(Rig *rig, const char *keys, const char *view)
+static void open_rig(FrameRunning *rig, const char *keys, const char *view)
 {
     char text[TEXT];
-    *rig = (Rig){.options = frame_exact_options()};
     snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys, room);
-    rig->scene = frame_scene(text, &rig->options, &rig->document);
-    rig->render = render_open(gl, &(RenderOptions){.compile = &rig->options, .view = view, .deep = true});
-    assert_true(rig->render && render_scene(rig->render, rig->scene));
-}
-
-static void close_rig(Rig *rig)
-{
-    render_close(rig->render);
-    frame_forget(rig->scene, rig->document);
-}
-
-static const float *draw(Rig *rig)
-{
-    assert_true(render_frame(rig->render) && render_read(rig->render, rig->rgba));
-    return rig->rgba;
+    frame_running_open(gl, text, &(RenderOptions){.view = view, .deep = true}, rig);
 }
 
 /* Of one frame. */
 static void draw_alone(const char *keys, const char *view, float *rgba)
 {
-    static Rig rig;
+    static FrameRunning rig;
     open_rig(&rig, keys, view);
-    memcpy(rgba, draw(&rig), sizeof rig.rgba);
-    close_rig(&rig);
+    memcpy(rgba, frame_running_draw(&rig), 4 * PIXELS * sizeof *rgba);
+    frame_running_close(&rig);
 }
 
 static double apart(const float *a, const float *b)
@@ -71,7 +49,7 @@ static double apart(const float *a, const float *b)
     return sqrt(sum / PIXELS);
 }
 
-static Rig one;
+static FrameRunning one;
 static float all[4 * PIXELS], some[4 * PIXELS], single[4 * PIXELS];
 
 /* n sets are as exact as n times the rays at random are, or more so; n frames that keep are n sets; and then no further ray goes out. */
@@ -88,11 +66,11 @@ static void sets_are_averaged(void **state)
         assert_true(first > .004 && off < .6 / 4 * first);
         open_rig(&one, "filter: none, history: 16", views[i]);
         for (int k = 0; k < 16; k++)
-            draw(&one);
+            frame_running_draw(&one);
         assert_true(apart(one.rgba, some) < 1e-6);
         memcpy(single, one.rgba, sizeof single);
-        assert_memory_equal(draw(&one), single, sizeof single);
-        close_rig(&one);
+        assert_memory_equal(frame_running_draw(&one), single, sizeof single);
+        frame_running_close(&one);
     }
 }
 
@@ -120,7 +98,7 @@ static void errors_are_as_stated(void **state)
 }
 
 /* Steps of a camera that circles and comes nearer. */
-static void turn(Rig *rig, int step)
+static void turn(FrameRunning *rig, int step)
 {
     SceneCamera *camera = &rig->scene->camera;
     const double angle = .012 * step, far = 4 - .01 * step;
@@ -135,7 +113,7 @@ static void paths_are_calmer(void **state)
     (void)state;
     static const char *const keys[] = {"filter: none, samples: 48", "filter: none", "filter: none, history: 16"};
     static float frames[3][4 * PIXELS];
-    static Rig rigs[3];
+    static FrameRunning rigs[3];
     double off[3] = {0};
     enum { STEPS = 12, SKIPPED = 4 };
     for (int i = 0; i < 3; i++)
@@ -144,14 +122,14 @@ static void paths_are_calmer(void **state)
         for (int i = 0; i < 3; i++) {
             turn(&rigs[i], step);
             if (i || step >= SKIPPED)
-                memcpy(frames[i], draw(&rigs[i]), sizeof frames[i]);
+                memcpy(frames[i], frame_running_draw(&rigs[i]), sizeof frames[i]);
             if (step >= SKIPPED)
                 off[i] += apart(frames[i], frames[0]) / (STEPS - SKIPPED);
         }
     print_message("a moving camera: %.4f off by each frame alone, %.4f with 16 kept\n", off[1], off[2]);
     assert_true(off[2] < .62 * off[1]);
     for (int i = 0; i < 3; i++)
-        close_rig(&rigs[i]);
+        frame_running_close(&rigs[i]);
 }
 
 /* A ball jumps aside. What it hid has no history, but for what is smoothed over it from beside; in the next frame little of the ball is left, of an openness that was .3 off. */
@@ -159,28 +137,28 @@ static void nothing_is_left_behind_what_moves(void **state)
 {
     (void)state;
     static const char *const keys[] = {"samples: 64", "samples: 1", "history: 12"};
-    static Rig rigs[3];
+    static FrameRunning rigs[3];
     static bool covered[PIXELS];
     double off[3] = {0}, most = 0, bare = 0;
     int count = 0;
     for (int i = 0; i < 3; i++) {
         open_rig(&rigs[i], keys[i], "open");
         for (int k = 0; k < (i == 2 ? 12 : 1); k++)
-            draw(&rigs[i]);
+            frame_running_draw(&rigs[i]);
     }
-    static Rig depth;
+    static FrameRunning depth;
     open_rig(&depth, "samples: 1", "depth");
-    memcpy(some, draw(&depth), sizeof some);
+    memcpy(some, frame_running_draw(&depth), sizeof some);
     depth.scene->objects[SPHERE].world_from_local.m[12] += .9;
     assert_true(render_changed_objects(depth.render, SPHERE, 1));
-    draw(&depth);
+    frame_running_draw(&depth);
     for (int p = 0; p < PIXELS; p++)
         covered[p] = some[4 * p] > depth.rgba[4 * p] * 1.02f;
-    close_rig(&depth);
+    frame_running_close(&depth);
     for (int i = 0; i < 3; i++) {
         rigs[i].scene->objects[SPHERE].world_from_local.m[12] += .9;
         assert_true(render_changed_objects(rigs[i].render, SPHERE, 1));
-        draw(&rigs[i]);
+        frame_running_draw(&rigs[i]);
         off[i] = apart(rigs[i].rgba, rigs[0].rgba);
     }
     for (int p = 0; p < PIXELS; p++)
@@ -193,13 +171,13 @@ static void nothing_is_left_behind_what_moves(void **state)
                   most, bare, off[2], off[1]);
     assert_true(count > 40 && most < bare + .01 && off[2] < 1.25 * off[1]);
     for (int i = 0; i < 3; i++)
-        close_rig(&rigs[i]);
+        frame_running_close(&rigs[i]);
 }
 
 enum { STEPS = 14, SKIPPED = 8, TRAIL = 8 };
 
 /* Rolls on by one frame's way, .3 pixels in the middle. */
-static void roll(Rig *rig, int step)
+static void roll(FrameRunning *rig, int step)
 {
     double *m = rig->scene->objects[SPHERE].world_from_local.m;
     const double angle = .07 * step;
@@ -213,20 +191,20 @@ static void roll(Rig *rig, int step)
 /* Which pixels show the ball, in each frame: those whose depth is another when it lies below the floor. */
 static void find_ball(bool shown[STEPS][PIXELS])
 {
-    static Rig shape, empty;
+    static FrameRunning shape, empty;
     open_rig(&shape, "samples: 1", "depth");
     open_rig(&empty, "samples: 1", "depth");
     empty.scene->objects[SPHERE].world_from_local.m[14] -= 5;
     assert_true(render_changed_objects(empty.render, SPHERE, 1));
-    draw(&empty);
+    frame_running_draw(&empty);
     for (int step = 0; step < STEPS; step++) {
         roll(&shape, step);
-        draw(&shape);
+        frame_running_draw(&shape);
         for (int p = 0; p < PIXELS; p++)
             shown[step][p] = shape.rgba[4 * p] > empty.rgba[4 * p] * 1.01f;
     }
-    close_rig(&shape);
-    close_rig(&empty);
+    frame_running_close(&shape);
+    frame_running_close(&empty);
 }
 
 static bool was_shown(bool shown[STEPS][PIXELS], int step, int p)
@@ -248,7 +226,7 @@ static void what_moves_is_followed(void **state)
     } areas[AREAS] = {{"on the ball", 1}, {"where it was", .85}, {"all", .95}};
     static const char *const keys[] = {"samples: 48", "samples: 1", "history: 16"};
     static bool shown[STEPS][PIXELS];
-    static Rig rigs[3];
+    static FrameRunning rigs[3];
     double sums[3][AREAS] = {{0}};
     find_ball(shown);
     for (int i = 0; i < 3; i++)
@@ -257,7 +235,7 @@ static void what_moves_is_followed(void **state)
         for (int i = 0; i < 3; i++) {
             roll(&rigs[i], step);
             if (i == 2 || step >= SKIPPED)
-                draw(&rigs[i]);
+                frame_running_draw(&rigs[i]);
         }
         for (int p = 0; step >= SKIPPED && p < PIXELS; p++)
             for (int i = 1; i < 3; i++) {
@@ -274,7 +252,7 @@ static void what_moves_is_followed(void **state)
         assert_true(share < areas[area].most);
     }
     for (int i = 0; i < 3; i++)
-        close_rig(&rigs[i]);
+        frame_running_close(&rigs[i]);
 }
 
 /* A lamp that is half as bright from one frame to the next: so is the light that comes by other surfaces, at once, but for noise. */
@@ -282,16 +260,16 @@ static void lamps_that_change_are_followed(void **state)
 {
     (void)state;
     static const char *const keys[] = {"samples: 48", "samples: 1", "history: 16"};
-    static Rig rigs[3];
+    static FrameRunning rigs[3];
     double off[3], most = 0;
     for (int i = 0; i < 3; i++) {
         open_rig(&rigs[i], keys[i], "indirect");
         for (int k = 0; k < (i == 2 ? 16 : 1); k++)
-            draw(&rigs[i]);
+            frame_running_draw(&rigs[i]);
         for (int k = 0; k < 3; k++)
             rigs[i].scene->lights[0].light[k] /= 2;
         assert_true(render_changed(rigs[i].render, RENDER_LIGHTS));
-        draw(&rigs[i]);
+        frame_running_draw(&rigs[i]);
         off[i] = apart(rigs[i].rgba, rigs[0].rgba);
     }
     for (int p = 0; p < PIXELS; p++)
@@ -299,7 +277,7 @@ static void lamps_that_change_are_followed(void **state)
     print_message("half a lamp: %.5f off, %.5f by a frame alone, of %.3f at most\n", off[2], off[1], most);
     assert_true(off[2] < .02 * most);
     for (int i = 0; i < 3; i++)
-        close_rig(&rigs[i]);
+        frame_running_close(&rigs[i]);
 }
 
 /* Fragments keep what compute does; where it isn't asked for, nothing is kept. */
@@ -312,14 +290,14 @@ static void ways_and_wants(void **state)
         char *graph = frame_graph(one.render);
         assert_true((strstr(graph, " rays history not run: nothing to do\n") == NULL) == (i == 1));
         free(graph);
-        memcpy(some, draw(&one), sizeof some);
+        memcpy(some, frame_running_draw(&one), sizeof some);
         Render *fragment =
             render_open(gl, &(RenderOptions){.compile = &one.options, .view = "light", .deep = true, .fragment = true});
         float *drawn = frame_floats_by(gl, fragment, one.scene);
         assert_true(apart(drawn, some) < 1e-6);
         free(drawn);
         render_close(fragment);
-        close_rig(&one);
+        frame_running_close(&one);
     }
 }
 

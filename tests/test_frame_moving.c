@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_running.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,35 +21,19 @@ static const char body[] =
     "}\n- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
     "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, .7, 1] } }\n";
 
-typedef struct {
-    MatcOptions options;
-    GlContext *gl;
-    MatcDocument *document;
-    Scene *scene;
-    Render *render;
-} Rig;
-
-static Rig open_rig(GlContext *gl, const char *keys, const char *view, bool fragment)
+static FrameRunning open_rig(GlContext *gl, const char *keys, const char *view, bool fragment)
 {
-    Rig rig = {.gl = gl, .options = frame_exact_options()};
+    FrameRunning rig;
     char text[TEXT];
     snprintf(text, sizeof text, "indirect: { %s }\n%s", keys, body);
-    rig.scene = frame_scene(text, &rig.options, &rig.document);
-    rig.render = render_open(
-        gl, &(RenderOptions){.compile = &rig.options, .view = view, .deep = true, .fragment = fragment});
-    assert_true(rig.render && render_scene(rig.render, rig.scene) && render_frame(rig.render));
+    frame_running_open(gl, text, &(RenderOptions){.view = view, .deep = true, .fragment = fragment}, &rig);
+    frame_running_draw(&rig);
     return rig;
-}
-
-static void close_rig(Rig *rig)
-{
-    render_close(rig->render);
-    frame_forget(rig->scene, rig->document);
 }
 
 typedef enum { CAMERA, OBJECT, LIGHTS, CHANGES } Change;
 
-static void move(Rig *rig, Change change)
+static void move(FrameRunning *rig, Change change)
 {
     if (change == CAMERA)
         rig->scene->camera.position[0] += .2;
@@ -80,7 +65,7 @@ static double off_by(const float *a, const float *b, int lanes)
     return sqrt(sum) / (lanes == 1 ? 1 : mean);
 }
 
-static void read(Rig *rig, float *rgba) { assert_true(render_frame(rig->render) && render_read(rig->render, rgba)); }
+static void read(FrameRunning *rig, float *rgba) { memcpy(rgba, frame_running_draw(rig), LANES * sizeof *rgba); }
 
 static void coarse_while_it_moves_then_fine(void **state)
 {
@@ -102,7 +87,7 @@ static void coarse_while_it_moves_then_fine(void **state)
                  strchr(cases[i].moving, ':') + 2);
         snprintf(keys[1], sizeof keys[1], "%s, %s", cases[i].keys, cases[i].moving);
         snprintf(keys[2], sizeof keys[2], "%s, %s", cases[i].keys, *cases[i].fine ? cases[i].fine : "resolution: full");
-        Rig rigs[3];
+        FrameRunning rigs[3];
         for (int k = 0; k < 3; k++)
             rigs[k] = open_rig(gl, keys[k], cases[i].view, cases[i].fragment);
         const int lanes = strcmp(cases[i].view, "open") ? 3 : 1;
@@ -121,7 +106,7 @@ static void coarse_while_it_moves_then_fine(void **state)
             assert_true(difference(now, fine) <= cases[i].exact);
         }
         for (int k = 0; k < 3; k++)
-            close_rig(&rigs[k]);
+            frame_running_close(&rigs[k]);
     }
     gl_close(gl);
 }
@@ -132,7 +117,7 @@ static void samples_begin_when_it_stands_still(void **state)
     (void)state;
     static float now[LANES], want[LANES];
     GlContext *gl = frame_context();
-    Rig moving = open_rig(gl, "rays: 8, samples: 4, moving: quarter", "indirect", false),
+    FrameRunning moving = open_rig(gl, "rays: 8, samples: 4, moving: quarter", "indirect", false),
         still = open_rig(gl, "rays: 8, samples: 4", "indirect", false), coarse = open_rig(gl, "rays: 8, resolution: quarter", "indirect", false);
     for (int i = 0; i < 2; i++) {
         move(&moving, CAMERA);
@@ -147,9 +132,9 @@ static void samples_begin_when_it_stands_still(void **state)
     print_message("of as many samples: %.3f of the mean of light between the one that moved and one that did not\n",
                   off_by(now, want, 3));
     assert_true(off_by(now, want, 3) < .05);
-    close_rig(&moving);
-    close_rig(&still);
-    close_rig(&coarse);
+    frame_running_close(&moving);
+    frame_running_close(&still);
+    frame_running_close(&coarse);
     gl_close(gl);
 }
 
