@@ -210,8 +210,9 @@ static int divide_all(Displaced *d, Feedback *own, int count)
     const int steps = d->patches->dividing.steps;
     for (int step = 0, made; step < steps; step++) {
         material_set_number(&own->divide, "displace_last", step == steps - 1);
-        if (own->room[!own->from] < 4 * (size_t)count)
-            reserve(gl, own, !own->from, 4 * (size_t)count);
+        const size_t four = 4 * (size_t)count < TRIANGLES ? 4 * (size_t)count : TRIANGLES;
+        if (own->room[!own->from] < four)
+            reserve(gl, own, !own->from, four);
         while ((made = divide_once(gl, own, count)) > TRIANGLES || (size_t)made > own->room[!own->from]) {
             if (made > TRIANGLES)
                 return -1;
