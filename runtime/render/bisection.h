@@ -42,12 +42,12 @@ typedef enum {
 typedef struct {
     Material stages[BISECTION_STAGES]; /* splitting is the mesh's material */
     GLuint buffers[BISECTION_BUFFERS];
-    int room, most, table_bits; /* for leaves now, and ever; bits of a place in the table */
-    int ranged;                 /* ranges go so deep */
-    int rounds[2];              /* of merging and of splitting, that the last view took */
-    int coarser;                /* fourths of an octave that an error may be larger */
-    GLuint head[BISECTION_HEAD];
-    int splits, merges, looks; /* of the last view */
+    int room, most, table_bits;             /* for leaves now, and ever; bits of a place in the table */
+    int ranged;                             /* ranges go so deep */
+    int rounds[2];                          /* of merging and of splitting, that the last view took */
+    int coarser;                            /* fourths of an octave that an error may be larger */
+    GLuint head[BISECTION_HEAD], head_copy; /* as it was read last; a buffer that it goes through */
+    int splits, merges, looks;              /* of the last view */
     SceneCamera camera;
     int size[2];
 } Bisection;

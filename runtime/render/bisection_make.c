@@ -166,6 +166,7 @@ bool bisection_make(const DisplacedMaking *making, Displaced *made)
     if (!bases)
         return gl_fail(gl, "out of memory");
     gl->GenBuffers(BISECTION_BUFFERS, b->buffers);
+    gl->GenBuffers(1, &b->head_copy);
     new_buffer(gl, b->buffers[BISECTION_BASES], words * sizeof *bases, bases);
     free(bases);
     b->most = most_of(gl, making->patches);
@@ -183,6 +184,7 @@ void bisection_forget(Displaced *d)
         if (b->stages[i].store)
             material_delete(&b->stages[i]);
     displaced_context(d)->DeleteBuffers(BISECTION_BUFFERS, b->buffers);
+    displaced_context(d)->DeleteBuffers(1, &b->head_copy);
     free(b);
     d->own = NULL;
 }

@@ -55,13 +55,21 @@ static void next(const Displaced *d, int step)
     dispatch(d, &b->stages[BISECTION_NEXT], 1);
 }
 
+/* The head goes by way of a buffer of its own: what the processor reads or writes itself, a driver may move to the processor's memory. */
+static void copy_head(const Displaced *d, GLuint from, GLuint to)
+{
+    const GlContext *gl = displaced_context(d);
+    gl->BindBuffer(GL_COPY_READ_BUFFER, from);
+    gl->BindBuffer(GL_COPY_WRITE_BUFFER, to);
+    gl->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, BISECTION_HEAD * sizeof(GLuint));
+}
+
 static void read_head(const Displaced *d)
 {
     Bisection *b = d->own;
     const GlContext *gl = displaced_context(d);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, b->buffers[BISECTION_WORK]);
-    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof b->head, b->head);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    copy_head(d, b->buffers[BISECTION_WORK], b->head_copy);
+    gl->GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof b->head, b->head);
 }
 
 static void write_head(const Displaced *d, GLuint high)
@@ -70,9 +78,9 @@ static void write_head(const Displaced *d, GLuint high)
     const GlContext *gl = displaced_context(d);
     memset(b->head, 0, sizeof b->head);
     b->head[BISECTION_HIGH] = high;
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, b->buffers[BISECTION_WORK]);
-    gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof b->head, b->head);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    gl->BindBuffer(GL_COPY_READ_BUFFER, b->head_copy);
+    gl->BufferData(GL_COPY_READ_BUFFER, sizeof b->head, b->head, GL_STREAM_READ);
+    copy_head(d, b->head_copy, b->buffers[BISECTION_WORK]);
 }
 
 /* So many rounds at once: what is done before they end has nothing to do in the others. */
