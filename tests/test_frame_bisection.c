@@ -191,9 +191,9 @@ static void assert_whole(const uint64_t *leaves, int count, int bases)
 static void the_way_does_not_matter(void **state)
 {
     static const double distances[] = {8, 1.4, 30, 1.1, 2, 1.2, 1.25, 1.3};
-    for (int body = 0; body < BODIES; body++) {
+    for (int body = 0; body < BODIES; body += 2) {
         Bisected b =
-            begin(*state, body % 2 ? "pixels: 0.5, triangles: 1500" : "pixels: 2, triangles: 4000", bodies[body]);
+            begin(*state, body == 2 ? "pixels: 0.5, triangles: 1500" : "pixels: 2, triangles: 4000", bodies[body]);
         SceneCamera views[8];
         uint64_t *leaves[8];
         int counts[8], splits = 0, merges = 0, fewer = 0;
