@@ -268,7 +268,7 @@ static void thin_parallelograms(void **state)
     }
 }
 
-/* Of a preset those keys count that are not given; the others are as ever. */
+/* Of a preset those keys count that are not given; the others are as ever (steps: 0, by the method). */
 static void presets_of_indirect(void **state)
 {
     (void)state;
@@ -278,11 +278,11 @@ static void presets_of_indirect(void **state)
         int rays, steps, coarse;
         double radius;
     } cases[] = {
-        {"preset: none", WORD_Indirect_auto, WORD_Filter_separable, 8, 8, 1, 0},
-        {"preset: draft", WORD_Indirect_auto, WORD_Filter_separable, 4, 8, 2, 0},
+        {"preset: none", WORD_Indirect_auto, WORD_Filter_separable, 8, 0, 1, 0},
+        {"preset: draft", WORD_Indirect_auto, WORD_Filter_separable, 4, 0, 2, 0},
         {"preset: thesisBuddha", WORD_Indirect_march, WORD_Filter_none, 32, 32, 1, 4},
         {"rays: 5, preset: thesisBuddha, method: voxels", WORD_Indirect_voxels, WORD_Filter_none, 5, 32, 1, 4},
-        {"preset: thesisPoints, filter: separable", WORD_Indirect_points, WORD_Filter_separable, 32, 8, 1, 1.5},
+        {"preset: thesisPoints, filter: separable", WORD_Indirect_points, WORD_Filter_separable, 32, 0, 1, 1.5},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[1024];
