@@ -61,4 +61,11 @@ int displaced_geometry_points(const GlContext *gl);
 /* `parts` for the view; if they are not as they were, `anew`, and the third buffer has what displace_point.glsl draws: patches by the parts of their insides, `first` of each number of
  * parts, and behind the last. */
 bool displaced_parts(Displaced *displaced, const DisplacedView *view, int first[SCENE_PATCH_PARTS + 2]);
+/* Of methods whose patches are drawn by these: triangles of a patch of n parts; draws patches first[0] .. first[1], captured from a place of the mesh's rows on, and says the place behind. */
+typedef struct {
+    size_t (*triangles)(const Displaced *displaced, int n);
+    size_t (*draw)(Displaced *displaced, const int first[2], int n, const Mesh *mesh, size_t at);
+} DisplacedByParts;
+/* The mesh's rows become all their triangles. */
+bool displaced_by_parts(Displaced *displaced, const int first[SCENE_PATCH_PARTS + 2], const DisplacedByParts *by, Mesh *mesh);
 #endif

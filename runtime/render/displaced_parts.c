@@ -40,3 +40,15 @@ bool displaced_parts(Displaced *d, const DisplacedView *view, int first[SCENE_PA
     free(parts);
     return !d->anew || write_drawn(d, first);
 }
+
+bool displaced_by_parts(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], const DisplacedByParts *by, Mesh *mesh)
+{
+    size_t triangles = 0, at = 0;
+    for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
+        triangles += (size_t)(first[n + 1] - first[n]) * by->triangles(d, n);
+    displaced_reserve(d, mesh, 0, 3 * triangles * sizeof(MeshCaptured));
+    displaced_begin(d);
+    for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
+        at = by->draw(d, &first[n], n, mesh, at);
+    return displaced_end(d) && displaced_unshared(d, mesh, (int)triangles);
+}

@@ -68,17 +68,8 @@ static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *
     return at;
 }
 
-static bool write_symbols(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Mesh *mesh)
-{
-    size_t triangles = 0, at = 0;
-    for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
-        triangles += (size_t)(first[n + 1] - first[n]) * (size_t)(points_of(n) * symbols[symbol_of(d)].triangles);
-    displaced_reserve(d, mesh, 0, 3 * triangles * sizeof(MeshCaptured));
-    displaced_begin(d);
-    for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
-        at = draw_patches(d, &first[n], n, mesh, at);
-    return displaced_end(d) && displaced_unshared(d, mesh, (int)triangles);
-}
+static size_t patch_triangles(const Displaced *d, int n) { return (size_t)(points_of(n) * symbols[symbol_of(d)].triangles); }
+static const DisplacedByParts by_parts = {patch_triangles, draw_patches};
 
 static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 {
@@ -88,7 +79,7 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
     if (!displaced_parts(d, view, first))
         return false;
     set_eye(d, view);
-    return !d->anew || write_symbols(d, first, mesh);
+    return !d->anew || displaced_by_parts(d, first, &by_parts, mesh);
 }
 
 const DisplacedMethod displaced_points = {WORD_Displacing_points, true, displaced_geometry_there, make, write, NULL};

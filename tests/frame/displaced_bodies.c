@@ -107,3 +107,16 @@ int displaced_holes(const float *light, const float *whole, long *within)
         }
     return count;
 }
+
+int displaced_holes_of(GlContext *gl, const int bodies[2], const char *how, long *within)
+{
+    static float light[DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS], whole[DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS];
+    int count = 0;
+    for (int body = 0; body < 2; body++) {
+        displaced_draw_views(gl, bodies[body], "method: mesh, level: 40", whole);
+        displaced_draw_views(gl, bodies[body], how, light);
+        for (int at = 0; at < DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS; at += DISPLACED_VIEW_FLOATS)
+            count += displaced_holes(light + at, whole + at, within);
+    }
+    return count;
+}

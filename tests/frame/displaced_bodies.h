@@ -20,4 +20,6 @@ void displaced_draw_views(GlContext *gl, int body, const char *how, float *light
 double displaced_nearest(const Shape *shape, const float position[3], const float base[3]);
 /* Pixels of the background where a picture without holes shows the body, as it does two pixels around; `within` counts those that show it. */
 int displaced_holes(const float *light, const float *whole, long *within);
+/* The same of all views of two bodies that are displaced by `how`, against their meshes divided finely. */
+int displaced_holes_of(GlContext *gl, const int bodies[2], const char *how, long *within);
 #endif
