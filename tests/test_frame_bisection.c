@@ -3,7 +3,7 @@
 #include "tests/frame/bisection_reference.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
-#include "runtime/render/displaced_bisection.h"
+#include "runtime/displace/displaced_bisection.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

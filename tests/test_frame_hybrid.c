@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/draw/screen_pass.h"
 #include "runtime/render/render.h"
-#include "runtime/render/screen_pass.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_band.h"

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/cull.h"
+#include "runtime/cache/cull.h"
 #include "runtime/scene/scene_matrix.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/screen_pass.h"
+#include "runtime/draw/screen_pass.h"
 #include "runtime/render/surface_model.h"
 #include "compiler/matc.h"
 #include "tests/frame/frame_draw.h"

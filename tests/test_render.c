@@ -5,9 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/draw/field.h"
+#include "runtime/draw/reader.h"
 #include "runtime/gl/screen.h"
-#include "runtime/render/field.h"
-#include "runtime/render/reader.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/screen_pass.h"
+#include "runtime/draw/screen_pass.h"
 #include "tests/frame/frame_draw.h"
 #include <stdlib.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/voxel_walk.h"
-#include "runtime/render/screen_pass.h"
+#include "runtime/draw/screen_pass.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* A context to measure in: draws points and views, times draws, reads G-buffers back. For one thread. */
 #ifndef MATC_MEASURE_METER_H
 #define MATC_MEASURE_METER_H
+#include "runtime/draw/reader.h"
 #include "runtime/measure/sample.h"
-#include "runtime/render/reader.h"
 
 typedef struct {
     GlContext *gl;

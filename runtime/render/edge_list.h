@@ -2,8 +2,8 @@
  * double, on the scene's own numbers; no GL. What hides them is for who draws them to find out. */
 #ifndef MATC_RENDER_EDGE_LIST_H
 #define MATC_RENDER_EDGE_LIST_H
+#include "runtime/cache/view_space.h"
 #include "runtime/render/edge_mesh.h"
-#include "runtime/render/view_space.h"
 
 enum { EDGE_LIST_PIECE = 32 /* pixels: longer lines are cut */, EDGE_LIST_TEXELS = 2 };
 

@@ -2,9 +2,9 @@
  * (pass_exact.c). Private to frame.c, render.c and the passes. */
 #ifndef MATC_RENDER_EXACT_H
 #define MATC_RENDER_EXACT_H
+#include "runtime/draw/screen_pass.h"
 #include "runtime/render/exact_cover.h"
 #include "runtime/render/render.h"
-#include "runtime/render/screen_pass.h"
 
 typedef struct {
     ExactTriangles triangles;

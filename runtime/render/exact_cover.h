@@ -4,8 +4,8 @@
  * Entries are counted; their number is read back; then they are listed, in no particular order. */
 #ifndef MATC_RENDER_EXACT_COVER_H
 #define MATC_RENDER_EXACT_COVER_H
+#include "runtime/draw/material.h"
 #include "runtime/render/exact_lists.h"
-#include "runtime/render/material.h"
 
 typedef struct {
     Material cover, begins;

@@ -1,7 +1,7 @@
 /* The triangles of all that is opaque, or transparent by the same everywhere, as shadows: exact take them: every object's one behind the other, in floats, once rounded. No GL. */
 #ifndef MATC_RENDER_EXACT_TRIANGLES_H
 #define MATC_RENDER_EXACT_TRIANGLES_H
-#include "runtime/render/cache.h"
+#include "runtime/cache/cache.h"
 
 /* In the world. */
 typedef struct {

@@ -1,15 +1,15 @@
 /* What a frame is drawn with. Private to frame.c, render.c and the passes. */
 #ifndef MATC_RENDER_FRAME_H
 #define MATC_RENDER_FRAME_H
-#include "runtime/render/cache.h"
+#include "runtime/cache/cache.h"
+#include "runtime/draw/reader.h"
+#include "runtime/draw/screen_pass.h"
 #include "runtime/render/exact.h"
 #include "runtime/render/frame_plan.h"
 #include "runtime/render/indirect.h"
 #include "runtime/render/measure.h"
 #include "runtime/render/radiance.h"
-#include "runtime/render/reader.h"
 #include "runtime/render/render.h"
-#include "runtime/render/screen_pass.h"
 #include "runtime/render/shadow.h"
 #include "runtime/render/volume.h"
 #include "runtime/render/voxels.h"

@@ -2,11 +2,11 @@
 #ifndef MATC_RENDER_INDIRECT_H
 #define MATC_RENDER_INDIRECT_H
 #include "compiler/base/text.h"
-#include "runtime/render/cache.h"
+#include "runtime/cache/cache.h"
+#include "runtime/draw/screen_pass.h"
 #include "runtime/render/frame_plan.h"
 #include "runtime/render/indirect_motion.h"
 #include "runtime/render/render.h"
-#include "runtime/render/screen_pass.h"
 
 enum { INDIRECT_RAYS_MOST = 128 };
 

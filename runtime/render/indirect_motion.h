@@ -1,8 +1,8 @@
 /* What moved since rays were kept: where it was, and the boxes around it, then and now. Private to pass_history.c, indirect.c and render.c. */
 #ifndef MATC_RENDER_INDIRECT_MOTION_H
 #define MATC_RENDER_INDIRECT_MOTION_H
+#include "runtime/draw/material.h"
 #include "runtime/gl/framebuffer.h"
-#include "runtime/render/material.h"
 #include "runtime/render/voxels.h"
 
 enum { INDIRECT_MOTIONS_MOST = 128, INDIRECT_BOXES_MOST = 16 };

@@ -1,7 +1,7 @@
 /* What tone mapping asks of a whole picture: greatest lanes, sums, logarithms; reduced by the driver, sixteenth by sixteenth. */
 #ifndef MATC_RENDER_MEASURE_H
 #define MATC_RENDER_MEASURE_H
-#include "runtime/render/screen_pass.h"
+#include "runtime/draw/screen_pass.h"
 
 enum { MEASURE_BLOCK = 16, MEASURE_STEPS = 4 /* to one from a side of 16384 */, MEASURE_TEXELS = 3 };
 

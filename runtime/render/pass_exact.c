@@ -1,6 +1,6 @@
 /* What exact shadows read, made once for a scene: the triangles of all that is opaque, and the lists of exact_cover.h. exact.glsl says what becomes
  * of them. */
-#include "runtime/render/exact_number.h"
+#include "runtime/cache/exact_number.h"
 #include "runtime/render/frame.h"
 #include <stdlib.h>
 #include <string.h>

@@ -10,9 +10,9 @@
 #ifndef MATC_RENDER_RADIANCE_H
 #define MATC_RENDER_RADIANCE_H
 #include "compiler/base/text.h"
-#include "runtime/render/cache.h"
+#include "runtime/cache/cache.h"
+#include "runtime/draw/screen_pass.h"
 #include "runtime/render/render.h"
-#include "runtime/render/screen_pass.h"
 
 enum { RADIANCE_SIZE_MOST = 256, RADIANCE_SIDES = 6, RADIANCE_HEAD = 4 /* words before those of voxels */ };
 

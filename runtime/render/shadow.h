@@ -3,8 +3,8 @@
 #ifndef MATC_RENDER_SHADOW_H
 #define MATC_RENDER_SHADOW_H
 #include "compiler/base/text.h"
+#include "runtime/draw/screen_pass.h"
 #include "runtime/render/render.h"
-#include "runtime/render/screen_pass.h"
 #include "runtime/render/shadow_views.h"
 #include "runtime/render/silhouette.h"
 

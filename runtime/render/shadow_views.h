@@ -5,7 +5,7 @@
  * third lane is depth itself: 1 at the nearest object, 0.5 at the farthest. Greater is nearer to the light. */
 #ifndef MATC_RENDER_SHADOW_VIEWS_H
 #define MATC_RENDER_SHADOW_VIEWS_H
-#include "runtime/render/cache.h"
+#include "runtime/cache/cache.h"
 
 enum { SHADOW_VIEWS_CUBE = 6 };
 

@@ -1,7 +1,7 @@
 /* Silhouette shadows: edges of meshes in a buffer, once; for each view, crossings into a buffer of whole numbers, and from there into a texture. */
+#include "runtime/cache/instances.h"
 #include "runtime/render/edge_list.h"
 #include "runtime/render/frame.h"
-#include "runtime/render/instances.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -3,7 +3,7 @@
  * passes. */
 #ifndef MATC_RENDER_SILHOUETTE_H
 #define MATC_RENDER_SILHOUETTE_H
-#include "runtime/render/material.h"
+#include "runtime/draw/material.h"
 #include "runtime/render/render.h"
 
 /* Of edge_mesh.h: an edge's ends, then the third corners of its faces; the same one twice where a face is alone. */

@@ -1,7 +1,7 @@
 /* Tools as lines: a grid, axes, where lights are and how they shine. Without GL. */
 #ifndef MATC_RENDER_TOOL_LINES_H
 #define MATC_RENDER_TOOL_LINES_H
-#include "runtime/render/view_space.h"
+#include "runtime/cache/view_space.h"
 
 typedef struct {
     float

@@ -2,8 +2,8 @@
 #ifndef MATC_RENDER_VOLUME_H
 #define MATC_RENDER_VOLUME_H
 #include "compiler/base/text.h"
+#include "runtime/draw/material.h"
 #include "runtime/gl/framebuffer.h"
-#include "runtime/render/material.h"
 #include "runtime/render/render.h"
 
 enum {

@@ -5,9 +5,9 @@
 #ifndef MATC_RENDER_VOXELS_H
 #define MATC_RENDER_VOXELS_H
 #include "compiler/base/text.h"
-#include "runtime/render/cache.h"
+#include "runtime/cache/cache.h"
+#include "runtime/draw/screen_pass.h"
 #include "runtime/render/render.h"
-#include "runtime/render/screen_pass.h"
 
 enum { VOXELS_LAYERS_MOST = 4, VOXELS_LEVELS_MOST = 10, VOXELS_WAVES_MOST = 8 };
 

@@ -1,7 +1,7 @@
 /* matbench displacement, the table of bisection: what a view takes whose triangles are those of the view before, but for what has changed; and what is kept for it. */
 #include "displacement.h"
 #include "matbench.h"
-#include "runtime/render/displaced_bisection.h"
+#include "runtime/displace/displaced_bisection.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

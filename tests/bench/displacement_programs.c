@@ -2,9 +2,9 @@
  * in a buffer. */
 #include "displacement.h"
 #include "matbench.h"
+#include "runtime/draw/spaces.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
-#include "runtime/render/spaces.h"
 #include "runtime/scene/scene_divide.h"
 #include <math.h>
 #include <stdio.h>

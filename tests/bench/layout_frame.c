@@ -1,8 +1,8 @@
 /* What a layout costs a frame: the G-buffer pass of a material whose every slot is a uniform, so that nothing is packed
  * beforehand, and a pass that reads all slots back. Both fill a square; the least of several draws counts. */
 #include "matbench.h"
+#include "runtime/draw/targets.h"
 #include "runtime/gl/screen.h"
-#include "runtime/render/targets.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

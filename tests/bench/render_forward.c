@@ -9,10 +9,10 @@
  *     #define FORWARD_TEXELS fragment0, fragment1, fragment2
  *     ... main() below */
 #include "render_forward.h"
+#include "runtime/cache/view_space.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/render/surface_model.h"
-#include "runtime/render/view_space.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -3,10 +3,10 @@
 #define MATC_VALUE_CALL_H
 #include "compiler/base/session.h"
 #include "compiler/ir/job.h"
+#include "runtime/draw/material.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/screen.h"
 #include "runtime/library/reference.h"
-#include "runtime/render/material.h"
 
 enum {
     CALL_SIDE = 32,

@@ -4,8 +4,8 @@
 #include "compiler/front/graph.h"
 #include "compiler/matc.h"
 #include "points.h"
+#include "runtime/draw/field.h"
 #include "runtime/gl/framebuffer.h"
-#include "runtime/render/field.h"
 
 /* A context with points in it, and a target for each of them. */
 typedef struct {

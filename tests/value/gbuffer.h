@@ -3,7 +3,7 @@
 #define MATC_VALUE_GBUFFER_H
 #include "documents.h"
 #include "draw.h"
-#include "runtime/render/reader.h"
+#include "runtime/draw/reader.h"
 
 typedef struct {
     Drawer *drawer;       /* its points are drawn */

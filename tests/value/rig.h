@@ -1,9 +1,9 @@
 /* A context with targets, in which scenes are drawn and G-buffers are read back by matc's own GLSL. */
 #ifndef MATC_VALUE_RIG_H
 #define MATC_VALUE_RIG_H
+#include "runtime/draw/reader.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
-#include "runtime/render/reader.h"
 #include "scene.h"
 
 enum { RIG_SIDE = 64, RIG_PIXELS = RIG_SIDE * RIG_SIDE, STAGE_TARGETS = 4 };

@@ -3,7 +3,7 @@
 #define MATC_VALUE_SCENE_H
 #include "compiler/matc.h"
 #include "compiler/oracle/oracle.h"
-#include "runtime/render/spaces.h"
+#include "runtime/draw/spaces.h"
 
 typedef Spaces Space;
 

@@ -1,0 +1,385 @@
+/* The scene is walked once: equal solids become one mesh, materials that differ in numbers only one kind. */
+#include "runtime/cache/cache.h"
+#include "compiler/base/hash_index.h"
+#include "runtime/cache/exact_number.h"
+#include "runtime/scene/scene_matrix.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* Things by what makes them alike. */
+typedef struct {
+    HashIndex index;
+    Key *keys;
+} Known;
+
+/* A mesh of a file, by what is in it. */
+static Key shape_key(const Shape *shape)
+{
+    const Key parts[] = {
+        key_of_bytes(shape->vertices, (size_t)shape->vertex_count * sizeof *shape->vertices),
+        key_of_bytes(shape->indices, (size_t)shape->index_count * sizeof *shape->indices),
+        key_of_bytes(shape->base, shape->base ? (size_t)shape->vertex_count * sizeof *shape->base : 0)};
+    return key_of_bytes(parts, sizeof parts);
+}
+
+typedef struct {
+    Store *store;
+    GlContext *gl;
+    const CacheSource *source;
+    Cache *before, *cache;
+    Known meshes, kinds, casters;
+    Key *file_keys; /* of the scene's meshes */
+    TransparencyText transparency;
+    ExactNumberText number;
+    int *kind_of, *row_of, *caster_of; /* by material; kind_of -1: not met; caster_of -1: none */
+} Maker;
+
+/* -1: it is not known. */
+static int find(const Known *known, Key key)
+{
+    HashProbe probe = hash_probe(&known->index, (uint32_t)key.low);
+    while (hash_probe_next(&probe))
+        if (key_equal(known->keys[probe.number], key))
+            return (int)probe.number;
+    return -1;
+}
+
+static void add(Known *known, Key key, int number)
+{
+    known->keys[number] = key;
+    hash_index_add(NULL, &known->index, (uint32_t)key.low, (uint32_t)number);
+}
+
+/* Objects with one key have one mesh, in this scene and in the next. */
+static Key mesh_key(const Maker *m, const SceneObject *object)
+{
+    double parts[SCENE_NUMBERS + 1] = {object->kind};
+    memcpy(parts + 1, object->numbers, sizeof object->numbers);
+    return object->kind == SCENE_Mesh ? m->file_keys[object->mesh] : key_of_bytes(parts, sizeof parts);
+}
+
+/* Takes the mesh of that key out of the cache before. */
+static bool take_mesh(Maker *m, Key key)
+{
+    Cache *before = m->before, *cache = m->cache;
+    for (int i = 0; before && i < before->mesh_count; i++)
+        if (before->meshes[i].array && key_equal(before->mesh_keys[i], key)) {
+            cache->meshes[cache->mesh_count] = before->meshes[i];
+            cache->boxes[cache->mesh_count++] = before->boxes[i];
+            before->meshes[i] = (Mesh){0};
+            return true;
+        }
+    return false;
+}
+
+/* The place of its mesh among the cache's, or -1. */
+static int mesh_of(Maker *m, const SceneObject *object)
+{
+    const Key key = mesh_key(m, object);
+    const int known = find(&m->meshes, key);
+    if (known >= 0)
+        return known;
+    const bool patches = object->kind == SCENE_Mesh && m->source->scene->meshes[object->mesh].patches;
+    if ((patches || !take_mesh(m, key)) && !cache_mesh_make(m->store, m->source, m->cache, object))
+        return -1;
+    add(&m->meshes, key, m->cache->mesh_count - 1);
+    return m->cache->mesh_count - 1;
+}
+
+static bool make_material(Maker *m, const SetProgram *program, bool casts, Material *made)
+{
+    const Set *set = m->source->set;
+    ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
+    if (program->transparent && !casts)
+        transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
+    if (casts && set->casts == SET_CASTS_colored)
+        transparency_wrap_caster(m->gl, &text);
+    if (m->source->written && !program->transparent && !strcmp(program->pass, "gbuffer"))
+        exact_number_wrap(&m->number, &text);
+    return material_make(m->store, program->program, &text, made) ||
+           set_fail(m->gl, m->source->scene, program->material);
+}
+
+/* The program with which one of the set casts shadows, or itself; -1: it casts none. */
+static int drawn_as(const Set *set, int program, bool casts) { return casts ? set->programs[program].caster : program; }
+
+/* Whether materials are drawn with one text, by surfaces and as casters. */
+static bool are_alike(const Set *set, int a, int b, bool casts)
+{
+    const int x = drawn_as(set, a, casts), y = drawn_as(set, b, casts);
+    return set->programs[a].text == set->programs[b].text && x >= 0 && y >= 0 &&
+           set->programs[x].text == set->programs[y].text;
+}
+
+/* The numbers of all programs of a text, one behind the other: of a caster in the order of the surfaces. */
+static bool make_numbers(Maker *m, int surface, bool casts, GLuint *buffer)
+{
+    const Set *set = m->source->set;
+    const GlContext *gl = m->gl;
+    const SetProgram *head = &set->programs[set->programs[drawn_as(set, surface, casts)].text];
+    const size_t size = (size_t)matc_constant_bytes(head->program);
+    const int count = set_rows(set, set->programs[surface].text);
+    char *rows = calloc((size_t)count + 1, size);
+    if (!rows)
+        return gl_fail(m->gl, "out of memory");
+    for (int i = 0; i < set->count; i++)
+        if (are_alike(set, surface, i, casts))
+            matc_constant_block(set->programs[drawn_as(set, i, casts)].program,
+                                rows + size * (size_t)set->programs[i].row);
+    gl->GenBuffers(1, buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)size * count, rows, GL_DYNAMIC_DRAW);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    free(rows);
+    return gl_check(m->gl, "making a buffer of numbers");
+}
+
+/* The buffer of a material's numbers: one for all that are drawn alike. 0: it has none. */
+static bool find_numbers(Maker *m, int surface, bool casts, GLuint *found)
+{
+    const Set *set = m->source->set;
+    int first = 0;
+    *found = 0;
+    if (!m->cache->instances || !matc_constant_count(set->programs[drawn_as(set, surface, casts)].program))
+        return true;
+    while (!are_alike(set, surface, first, casts))
+        first++;
+    GLuint *numbers = &m->cache->numbers[drawn_as(set, first, casts)];
+    const bool done = *numbers || make_numbers(m, surface, casts, numbers);
+    *found = *numbers;
+    return done;
+}
+
+/* Kinds of one use, and where the next one goes. */
+typedef struct {
+    CacheKind *kinds;
+    int *count;
+    Known *known;
+} Kinds;
+
+/* A kind whose program is that of a material; the same one, if what it would be drawn with is the same. */
+static int add_kind(Maker *m, const SetProgram *program, const CacheKind *kind, const Kinds *to)
+{
+    const int own = matc_uniform_count(program->program) || !m->cache->instances ? *to->count : -1;
+    const Key parts[] = {material_key(&kind->material),
+                         {(uint64_t)(int64_t)own, kind->numbers}}; /* whose uniforms are set by themselves */
+    const Key key = key_of_bytes(parts, sizeof parts);
+    const int known = find(to->known, key);
+    if (known >= 0) {
+        Material same = kind->material;
+        material_delete(&same);
+        return known;
+    }
+    to->kinds[*to->count] = *kind; /* from here on it is the cache's */
+    add(to->known, key, *to->count);
+    return (*to->count)++;
+}
+
+static int make_kind(Maker *m, const SetProgram *surface, bool casts, const Kinds *to)
+{
+    const Set *set = m->source->set;
+    const int number = (int)(surface - set->programs);
+    const SetProgram *program = &set->programs[drawn_as(set, number, casts)];
+    CacheKind kind = {.transparent = surface->transparent};
+    if (!find_numbers(m, number, casts, &kind.numbers) || !make_material(m, program, casts, &kind.material))
+        return -1;
+    return add_kind(m, program, &kind, to);
+}
+
+/* How an object of that material casts shadows. */
+static bool find_caster(Maker *m, int material, const SetProgram *surface)
+{
+    Cache *cache = m->cache;
+    const Kinds casters = {cache->casters, &cache->caster_count, &m->casters};
+    m->caster_of[material] = surface->caster < 0 ? -1 : make_kind(m, surface, true, &casters);
+    return surface->caster < 0 || m->caster_of[material] >= 0;
+}
+
+/* The place of an object's kind among the cache's, or -1. Without instances each object has its own, for its matrices. */
+static int kind_of(Maker *m, int material)
+{
+    Cache *cache = m->cache;
+    const SetProgram *program = set_find(m->source->set, material, "gbuffer");
+    const Kinds kinds = {cache->kinds, &cache->kind_count, &m->kinds};
+    if (cache->instances && m->kind_of[material] >= 0)
+        return m->kind_of[material];
+    m->row_of[material] = program->row;
+    if (!find_caster(m, material, program))
+        return -1;
+    return m->kind_of[material] = make_kind(m, program, false, &kinds);
+}
+
+static bool add_surface(Maker *m, int number)
+{
+    const SceneObject *object = &m->source->scene->objects[number];
+    const SetProgram *surface = set_find(m->source->set, object->material, "gbuffer");
+    CachePlace place = {.object = number};
+    place.kind = kind_of(m, object->material);
+    place.mesh = place.kind < 0 ? -1 : mesh_of(m, object);
+    if (place.mesh < 0)
+        return false;
+    place.row = m->row_of[object->material];
+    place.caster = m->caster_of[object->material];
+    place.even = surface->even ? surface->through : NULL;
+    place.program = m->cache->kinds[place.kind].material.program->name;
+    place.transparent = m->cache->kinds[place.kind].transparent;
+    m->cache->triangles += m->cache->meshes[place.mesh].index_count / 3;
+    m->cache->places[m->cache->place_count++] = place;
+    return true;
+}
+
+static bool add_plane(Maker *m, int number)
+{
+    CachePlane *plane = &m->cache->planes[m->cache->plane_count];
+    const int material = m->source->scene->objects[number].material;
+    const SetProgram *program = set_find(m->source->set, material, "plane");
+    plane->object = number;
+    plane->transparent = program->transparent;
+    plane->program = program;
+    if (!make_material(m, program, false, &plane->material))
+        return false;
+    m->cache->plane_count++;
+    m->cache->opaque_plane_count += !plane->transparent;
+    return true;
+}
+
+static bool add_objects(Maker *m)
+{
+    const Scene *scene = m->source->scene;
+    for (int i = 0; i < scene->material_count; i++)
+        m->kind_of[i] = -1;
+    for (int i = 0; i < scene->mesh_count; i++)
+        m->file_keys[i] = scene->meshes[i].patches ? (Key){(uint64_t)i, 0} : shape_key(&scene->meshes[i].shape);
+    for (int i = 0; i < scene->object_count; i++)
+        if (!(scene->objects[i].kind == SCENE_Plane ? add_plane(m, i) : add_surface(m, i)))
+            return false;
+    return true;
+}
+
+static bool make_sky(Maker *m)
+{
+    Cache *cache = m->cache;
+    const int sky = m->source->scene->sky;
+    SetProgram program = sky < 0 ? (SetProgram){.material = -1} : *set_find(m->source->set, sky, "sky");
+    program.transparent = false; /* nothing is behind it */
+    cache->has_sky = sky >= 0 && make_material(m, &program, false, &cache->sky);
+    return sky < 0 || cache->has_sky;
+}
+
+static bool make_room(Maker *m)
+{
+    Cache *cache = m->cache;
+    const Scene *scene = m->source->scene;
+    const size_t objects = (size_t)scene->object_count + 1, materials = (size_t)scene->material_count + 1;
+    const size_t kinds = cache->instances ? materials : objects;
+    cache->number_count = m->source->set->count;
+    cache->kinds = calloc(kinds, sizeof *cache->kinds);
+    cache->casters = calloc(kinds, sizeof *cache->casters);
+    cache->numbers = calloc((size_t)cache->number_count + 1, sizeof *cache->numbers);
+    cache->meshes = calloc(objects, sizeof *cache->meshes);
+    cache->boxes = calloc(objects, sizeof *cache->boxes);
+    cache->displaced = calloc(objects, sizeof *cache->displaced);
+    cache->places = calloc(objects, sizeof *cache->places);
+    cache->place_of = calloc(objects, sizeof *cache->place_of);
+    cache->surfaces = calloc(objects, sizeof *cache->surfaces);
+    cache->planes = calloc(objects, sizeof *cache->planes);
+    cache->list = calloc(CACHE_LISTS * objects, sizeof *cache->list);
+    cache->seen_list = calloc(objects, sizeof *cache->seen_list);
+    cache->order = calloc(objects, sizeof *cache->order);
+    cache->cast_order = calloc(objects, sizeof *cache->cast_order);
+    cache->mesh_keys = m->meshes.keys = calloc(objects, sizeof *m->meshes.keys);
+    m->file_keys = calloc((size_t)scene->mesh_count + 1, sizeof *m->file_keys);
+    m->kinds.keys = calloc(kinds, sizeof *m->kinds.keys);
+    m->casters.keys = calloc(kinds, sizeof *m->casters.keys);
+    m->kind_of = calloc(materials, sizeof *m->kind_of);
+    m->row_of = calloc(materials, sizeof *m->row_of);
+    m->caster_of = calloc(materials, sizeof *m->caster_of);
+    return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->displaced &&
+            cache->places && cache->place_of && cache->surfaces && cache->planes && cache->list && cache->seen_list &&
+            cache->order && cache->cast_order && m->meshes.keys && m->kinds.keys && m->casters.keys && m->kind_of &&
+            m->row_of && m->caster_of && m->file_keys) ||
+           gl_fail(m->gl, "out of memory");
+}
+
+static void forget(Maker *m)
+{
+    hash_index_free(&m->meshes.index);
+    hash_index_free(&m->kinds.index);
+    hash_index_free(&m->casters.index);
+    free(m->kinds.keys);
+    free(m->casters.keys);
+    free(m->file_keys);
+    free(m->kind_of);
+    free(m->row_of);
+    free(m->caster_of);
+}
+
+/* Meshes find the numbers of instances in the list. */
+static bool make_buffers(Maker *m)
+{
+    Cache *cache = m->cache;
+    const GlContext *gl = m->gl;
+    if (!cache->instances)
+        return true;
+    gl->GenBuffers(1, &cache->matrices);
+    gl->GenBuffers(1, &cache->words);
+    gl->GenBuffers(2, cache->views);
+    gl->BindBuffer(GL_ARRAY_BUFFER, cache->words);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)sizeof *cache->list * CACHE_LISTS * cache->place_count, NULL,
+                   GL_DYNAMIC_DRAW);
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+    for (int i = 0; i < cache->mesh_count; i++)
+        mesh_attach(gl, &cache->meshes[i], cache->words);
+    return gl_check(m->gl, "making buffers of instances");
+}
+
+bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *made)
+{
+    Maker maker = {.store = store, .gl = store_context(store), .source = source, .before = before, .cache = made};
+    *made = (Cache){.instances = source->set->instances};
+    transparency_text(maker.gl, source->set, source->transparency, &maker.transparency);
+    exact_number_text(maker.gl, source->set, source->written, &maker.number);
+    const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) && make_buffers(&maker) &&
+                      cache_arrange(maker.gl, source, made);
+    made->displaced_anew = false; /* all is made for it afterwards */
+    forget(&maker);
+    if (!done)
+        cache_delete(maker.gl, made);
+    return done;
+}
+
+void cache_delete(GlContext *gl, Cache *cache)
+{
+    for (int i = 0; i < cache->kind_count; i++)
+        material_delete(&cache->kinds[i].material);
+    for (int i = 0; i < cache->caster_count; i++)
+        material_delete(&cache->casters[i].material);
+    for (int i = 0; i < cache->plane_count; i++)
+        material_delete(&cache->planes[i].material);
+    for (int i = 0; i < cache->mesh_count; i++) {
+        mesh_delete(gl, &cache->meshes[i]);
+        displaced_delete(&cache->displaced[i]);
+    }
+    if (cache->has_sky)
+        material_delete(&cache->sky);
+    if (cache->numbers)
+        gl->DeleteBuffers(cache->number_count, cache->numbers); /* GL ignores the name 0 */
+    gl->DeleteBuffers(2, (const GLuint[]){cache->matrices, cache->words});
+    gl->DeleteBuffers(2, cache->views);
+    free(cache->kinds);
+    free(cache->casters);
+    free(cache->numbers);
+    free(cache->meshes);
+    free(cache->boxes);
+    free(cache->displaced);
+    free(cache->mesh_keys);
+    free(cache->places);
+    free(cache->place_of);
+    free(cache->surfaces);
+    free(cache->planes);
+    free(cache->list);
+    free(cache->seen_list);
+    free(cache->order);
+    free(cache->cast_order);
+    *cache = (Cache){0};
+}

@@ -1,0 +1,86 @@
+/* Meshes of a cache: of solids, of files, and those that the driver displaces. */
+#include "runtime/cache/cache.h"
+
+static bool make_mesh_of(GlContext *gl, Cache *cache, const Shape *shape)
+{
+    if (!mesh_make_of(gl, shape, &cache->meshes[cache->mesh_count]))
+        return false;
+    cache->boxes[cache->mesh_count++] = cull_box(shape);
+    return true;
+}
+
+/* Around all places where points may be moved to. */
+static CullBox box_of_patches(const SceneMesh *mesh)
+{
+    CullBox box = cull_box(&(Shape){.vertices = mesh->patches->rows, .vertex_count = mesh->patches->row_count});
+    for (int k = 0; k < 3; k++) {
+        box.low[k] -= mesh->patches->reach[k];
+        box.high[k] += mesh->patches->reach[k];
+    }
+    return box;
+}
+
+/* Has the driver displace it for the view, where it does not stand so. */
+static bool displace(GlContext *gl, const CacheSource *source, Cache *cache, int mesh)
+{
+    Displaced *displaced = &cache->displaced[mesh];
+    SceneMesh *of = &source->scene->meshes[cache->displaced[mesh].mesh];
+    Shape shape;
+    if (!displaced_write(displaced, &source->scene->camera, source->size, &cache->meshes[mesh]))
+        return false;
+    cache->displaced_anew |= displaced->anew;
+    if (!source->triangles || !displaced->anew)
+        return true;
+    if (!displaced_read(displaced, &cache->meshes[mesh], &shape))
+        return false;
+    shape_free(&of->shape);
+    of->shape = shape;
+    return gl_check(gl, "displacing a mesh");
+}
+
+/* That the driver displaces: it may run through itself, and show its back there. */
+static bool make_displaced(Store *store, const CacheSource *source, Cache *cache, int number)
+{
+    GlContext *gl = store_context(store);
+    const SceneMesh *from = &source->scene->meshes[number];
+    const int mesh = cache->mesh_count;
+    if (!mesh_make_captured(gl, &cache->meshes[mesh]))
+        return false;
+    const ShapeBody body = shape_body(&from->shape);
+    cache->meshes[mesh].body = from->patches->torn        ? SHAPE_BODY_none
+                               : body == SHAPE_BODY_solid ? SHAPE_BODY_closed
+                                                          : body;
+    cache->boxes[mesh] = box_of_patches(from);
+    cache->mesh_count++;
+    if (!displaced_make(store, source->scene, source->compile, number, &cache->displaced[mesh]))
+        return set_fail(gl, source->scene, from->patches->material);
+    if (!displace(gl, source, cache, mesh))
+        return false;
+    if (source->triangles)
+        cache->boxes[mesh] = cull_box(&from->shape);
+    return true;
+}
+
+bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache, const SceneObject *object)
+{
+    GlContext *gl = store_context(store);
+    const SceneMesh *mesh = object->kind == SCENE_Mesh ? &source->scene->meshes[object->mesh] : NULL;
+    Shape shape;
+    if (mesh)
+        return mesh->patches ? make_displaced(store, source, cache, object->mesh)
+                             : make_mesh_of(gl, cache, &mesh->shape);
+    if (!scene_solid(object, &shape))
+        return gl_fail(gl, "out of memory");
+    const bool done = make_mesh_of(gl, cache, &shape);
+    shape_free(&shape);
+    return done;
+}
+
+bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache)
+{
+    bool fine = true;
+    for (int i = 0; fine && i < cache->mesh_count; i++)
+        if (displaced_by_view(&cache->displaced[i]))
+            fine = displace(gl, source, cache, i);
+    return fine;
+}

@@ -1,0 +1,28 @@
+/* What a program of matc's that draws instances reads from buffers (MatcOptions.instances), as it lies there: std140. */
+#ifndef MATC_CACHE_INSTANCES_H
+#define MATC_CACHE_INSTANCES_H
+#include "runtime/draw/spaces.h"
+#include "runtime/scene/scene.h"
+#include <stdint.h>
+
+enum { INSTANCE_MATRICES = 0, INSTANCE_NUMBERS = 1 }; /* binding points of storage buffers */
+
+/* An element of matc_instances. */
+typedef struct {
+    float world_from_local[16];
+    float world_normal_from_local[3][4];
+    uint32_t material; /* in matc_numbers */
+    uint32_t nothing[3];
+} Instance;
+
+/* The block View. */
+typedef struct {
+    float clip_from_world[16];
+    float eye_normal_from_world[3][4];
+} InstanceView;
+
+/* The driver draws instances so: OpenGL 4.5, with storage buffers in both stages. */
+bool instances_there(const GlContext *gl);
+Instance instance_of(const SceneMatrix *world_from_local, int material);
+InstanceView instance_view(const Spaces *spaces);
+#endif

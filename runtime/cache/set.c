@@ -1,0 +1,397 @@
+/* Ranges of all materials, a layout for them, keys of all programs, groups of one shape, texts. */
+#include "runtime/cache/set.h"
+#include "runtime/cache/instances.h"
+#include "compiler/base/hash.h"
+#include "compiler/base/hash_index.h"
+#include "compiler/layout/custom.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_MEMBERS = 1024 /* of a buffer: every driver has room for 16 KiB */ };
+
+typedef struct {
+    GlContext *gl;
+    const Scene *scene;
+    MatcOptions options;
+    Set *set;
+    int *last; /* of a text's programs, by the first */
+} Maker;
+
+/* A surface's pass; NULL: it has none of its own. */
+static const char *pass_of(const SceneObject *object) { return object->kind == SCENE_Plane ? "plane" : "gbuffer"; }
+
+bool set_fail(GlContext *gl, const Scene *scene, int material)
+{
+    const SceneMaterial *of = &scene->materials[material];
+    char why[sizeof gl->error], place[SCENE_PLACE];
+    snprintf(why, sizeof why, "%s", gl->error);
+    scene_material_place(of, place);
+    return gl_fail(gl, "%s: the material '%s': %s", place, matc_material_name(of->document, of->index), why);
+}
+
+static bool add_ranges(Maker *m, MatcRanges *ranges)
+{
+    bool *added = calloc((size_t)m->scene->material_count + 1, sizeof *added);
+    bool fine = added || gl_fail(m->gl, "out of memory");
+    for (int i = 0; fine && i < m->scene->object_count; i++) {
+        const int material = m->scene->objects[i].material;
+        const SceneMaterial *of = &m->scene->materials[material];
+        char *fault = NULL;
+        if (added[material])
+            continue;
+        added[material] = true;
+        fine = matc_ranges_add(ranges, of->document, of->index, &m->options, &fault) ||
+               (gl_fail(m->gl, "%s", fault ? fault : "out of memory"), set_fail(m->gl, m->scene, material));
+        free(fault);
+    }
+    free(added);
+    return fine;
+}
+
+/* The smallest layout of all materials of surfaces; a scene without any takes the default. */
+static bool choose_layout(Maker *m)
+{
+    MatcRanges *ranges = malloc(sizeof *ranges);
+    if (!ranges)
+        return gl_fail(m->gl, "out of memory");
+    matc_ranges_init(ranges);
+    const bool fine = add_ranges(m, ranges);
+    if (fine && m->scene->object_count) {
+        m->set->layout = matc_layout_for(ranges, 0, &m->options);
+        m->options.custom = m->set->layout;
+    }
+    free(ranges);
+    return fine;
+}
+
+/* Of one slot, at a point. */
+static MatcOptions sheet_options(const Maker *m)
+{
+    MatcOptions options = m->options;
+    options.pass = "plane";
+    options.layout = NULL;
+    options.custom = m->set->sheet;
+    options.aa = "none";
+    return options;
+}
+
+static bool compile(Maker *m, SetProgram *program, unsigned outputs)
+{
+    const SceneMaterial *of = &m->scene->materials[program->material];
+    MatcOptions options = m->options;
+    options.pass = program->pass;
+    if (!strcmp(program->pass, SET_SHEET))
+        options = sheet_options(m);
+    matc_program_free(program->program);
+    program->program = matc_compile(of->document, of->index, outputs, &options);
+    if (matc_ok(program->program))
+        return true;
+    gl_fail(m->gl, "%s", matc_program_diagnostics(program->program, MATC_TEXT));
+    return set_fail(m->gl, m->scene, program->material);
+}
+
+/* By how much a surface or a plane is transparent, if that is a constant. */
+static bool find_through(Maker *m, SetProgram *program)
+{
+    const SceneMaterial *of = &m->scene->materials[program->material];
+    const bool drawn = !strcmp(program->pass, "plane") || !strcmp(program->pass, "gbuffer");
+    if (!drawn || strcmp(matc_opacity(program->program), "transparent") != 0)
+        return true;
+    const MatcNumbers through = matc_eval_slot(of->document, of->index, "", &m->options);
+    for (int i = 0; i < through.lanes; i++)
+        program->through[i] = (float)through.lane[i];
+    program->even = !through.fault;
+    return program->even || (gl_fail(m->gl, "%s", through.fault), set_fail(m->gl, m->scene, program->material));
+}
+
+/* Keys, shapes and numbers; no text yet. */
+static bool add_program(Maker *m, int material, const char *pass)
+{
+    Set *set = m->set;
+    SetProgram *program = &set->programs[set->count];
+    *program = (SetProgram){.material = material,
+                            .pass = pass,
+                            .text = set->count,
+                            .next = -1,
+                            .caster = -1,
+                            .other = set->of_material[material]};
+    set->of_material[material] = ++set->count;
+    if (!compile(m, program, MATC_KEY))
+        return false;
+    program->transparent = strcmp(matc_opacity(program->program), "opaque") != 0;
+    return find_through(m, program);
+}
+
+static bool make_sheet_layout(Maker *m)
+{
+    static const char text[] =
+        "layout: sheet\ntargets: [RGBA32UI]\nfields:\n- { slot: transparency, encoding: full }\n";
+    Set *set = m->set;
+    if (!set->sheet)
+        set->sheet = matc_layout_read("sheet", text, sizeof text - 1, &m->options);
+    return (set->sheet && matc_layout_ok(set->sheet)) || gl_fail(m->gl, "out of memory");
+}
+
+/* Whether fragment programs read and write images. */
+static bool has_images(const GlContext *gl)
+{
+    return gl->major * 10 + gl->minor >= 43 && gl->BindImageTexture && gl->MemoryBarrier;
+}
+
+/* What is the same everywhere casts shadows by numbers: a plane, and a surface where all shadows are exact. */
+static bool casts_by_numbers(const Maker *m, const SetProgram *surface)
+{
+    bool exact = surface->even;
+    for (int i = 0; strcmp(surface->pass, "plane") != 0 && i < m->scene->light_count; i++)
+        exact &= m->scene->lights[i].shadows == WORD_Shadows_exact || !scene_light_casts(&m->scene->lights[i]);
+    return exact;
+}
+
+/* What is opaque casts shadows by depth alone. */
+static bool add_caster(Maker *m, int number)
+{
+    Set *set = m->set;
+    SetProgram *surface = &set->programs[number];
+    const bool plane = !strcmp(surface->pass, "plane");
+    if (!set->casts || !surface->transparent || casts_by_numbers(m, surface) || (plane && !has_images(m->gl)))
+        return true;
+    surface->caster = set->count;
+    if (plane)
+        return make_sheet_layout(m) && add_program(m, surface->material, SET_SHEET);
+    return add_program(m, surface->material, set->casts == SET_CASTS_colored ? "value" : "shadow");
+}
+
+static bool add_programs(Maker *m)
+{
+    const Scene *scene = m->scene;
+    bool fine = true;
+    m->set->programs = calloc(4 * (size_t)scene->material_count + 2, sizeof *m->set->programs);
+    m->set->of_material = calloc((size_t)scene->material_count + 1, sizeof *m->set->of_material);
+    if (!m->set->programs || !m->set->of_material)
+        return gl_fail(m->gl, "out of memory");
+    bool *met = calloc(2 * (size_t)scene->material_count + 2, sizeof *met);
+    for (int i = 0; met && fine && i < scene->object_count; i++) {
+        const SceneObject *object = &scene->objects[i];
+        bool *known = &met[2 * object->material + (object->kind == SCENE_Plane)];
+        if (!*known)
+            fine = add_program(m, object->material, pass_of(object)) && add_caster(m, m->set->count - 1);
+        *known = true;
+    }
+    free(met);
+    if (fine && scene->sky >= 0 && !set_find(m->set, scene->sky, "sky"))
+        fine = add_program(m, scene->sky, "sky");
+    return fine;
+}
+
+/* The numbers of a place in all programs of a group, as a hash: alike in every material, and which columns are the same. */
+typedef struct {
+    Key key;
+    bool differs;
+} Column;
+
+static Column column_of(const Set *set, int first, int place)
+{
+    const MatcConstant *head = matc_place(set->programs[first].program, place);
+    Column column = {.key = key_of_bytes(head->type, strlen(head->type))};
+    for (int i = first; i >= 0; i = set->programs[i].next) {
+        const MatcConstant *number = matc_place(set->programs[i].program, place);
+        const Key parts[] = {column.key, key_of_bytes(number->values, (size_t)number->lanes * sizeof *number->values)};
+        column.differs |= memcmp(number->values, head->values, (size_t)number->lanes * sizeof *number->values) != 0;
+        column.key = key_of_bytes(parts, sizeof parts);
+    }
+    return column;
+}
+
+/* Places at which the group differs become members of the buffer; equal columns are one. The number of members, -1: no memory. */
+static int find_members(const Set *set, int first, int *members, int count)
+{
+    Column *columns = calloc((size_t)count + 1, sizeof *columns);
+    int found = columns ? 0 : -1;
+    for (int i = 0; columns && i < count; i++) {
+        columns[i] = column_of(set, first, i);
+        members[i] = columns[i].differs ? i : -1;
+        for (int k = 0; columns[i].differs && k < i; k++)
+            if (columns[k].differs && key_equal(columns[k].key, columns[i].key)) {
+                members[i] = members[k];
+                break;
+            }
+        found += members[i] == i;
+    }
+    free(columns);
+    return found;
+}
+
+/* What programs that are drawn with one text have alike: pass and shape; alike in their numbers, too, keys. */
+static bool is_alike(const SetProgram *a, const SetProgram *b, bool numbers)
+{
+    return !strcmp(a->pass, b->pass) && !strcmp(matc_shape(a->program), matc_shape(b->program)) &&
+           (!numbers || !strcmp(matc_key(a->program), matc_key(b->program)));
+}
+
+/* Parts a chain of programs into one for each text, in the order of the first ones. */
+static void part(Maker *m, int first, bool numbers)
+{
+    SetProgram *programs = m->set->programs;
+    HashIndex heads = {0};
+    for (int i = first, next; i >= 0; i = next) {
+        SetProgram *program = &programs[i];
+        const Key key = key_read(numbers ? matc_key(program->program) : matc_shape(program->program));
+        int head = -1;
+        for (HashProbe probe = hash_probe(&heads, (uint32_t)key.low); head < 0 && hash_probe_next(&probe);)
+            if (is_alike(&programs[probe.number], program, numbers))
+                head = (int)probe.number;
+        next = program->next;
+        program->next = -1;
+        program->text = head < 0 ? i : head;
+        if (head < 0)
+            hash_index_add(NULL, &heads, (uint32_t)key.low, (uint32_t)i);
+        else
+            programs[m->last[head]].next = i;
+        m->last[program->text] = i;
+    }
+    hash_index_free(&heads);
+}
+
+/* All programs in one chain, which is parted. */
+static bool share_texts(Maker *m)
+{
+    Set *set = m->set;
+    m->last = calloc((size_t)set->count + 1, sizeof *m->last);
+    if (!m->last)
+        return gl_fail(m->gl, "out of memory");
+    for (int i = 0; i + 1 < set->count; i++)
+        set->programs[i].next = i + 1;
+    if (set->count)
+        part(m, 0, false);
+    return true;
+}
+
+static bool write_group(Maker *m, int first, const int *members, int count)
+{
+    Set *set = m->set;
+    m->options.members = members;
+    m->options.member_count = count;
+    bool fine = true;
+    for (int i = first; fine && i >= 0; i = set->programs[i].next)
+        fine = compile(m, &set->programs[i], i == first ? MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK : MATC_KEY);
+    m->options.members = NULL;
+    m->options.member_count = 0;
+    return fine;
+}
+
+static void number_rows(Set *set, int first)
+{
+    int rows = 0;
+    for (int i = first; i >= 0; i = set->programs[i].next)
+        set->programs[i].row = rows++;
+}
+
+/* One text for all that share it. */
+static bool write_text(Maker *m, int first)
+{
+    Set *set = m->set;
+    const int count = matc_place_count(set->programs[first].program);
+    int *members = malloc((size_t)count * sizeof *members + 1);
+    int found = members ? find_members(set, first, members, count) : -1;
+    if (found > MOST_MEMBERS) { /* only equal programs share */
+        part(m, first, true);
+        found = 0;
+    }
+    number_rows(set, first);
+    const bool fine = found >= 0 ? write_group(m, first, members, found ? count : 0) : gl_fail(m->gl, "out of memory");
+    free(members);
+    set->texts++;
+    return fine;
+}
+
+static bool make(Maker *m)
+{
+    Set *set = m->set;
+    const bool automatic = !m->options.layout && !m->options.custom;
+    if ((automatic && !choose_layout(m)) || !add_programs(m) || !share_texts(m))
+        return false;
+    for (int i = 0; i < set->count; i++)
+        if (set->programs[i].text == i && !write_text(m, i))
+            return false;
+    for (int i = 0; i < set->count && !set->unpack; i++)
+        if (set->programs[i].text == i && strcmp(set->programs[i].pass, "sky") != 0)
+            set->unpack = matc_output(set->programs[i].program, MATC_UNPACK, NULL);
+    return true;
+}
+
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, SetCasts casts, Set *made)
+{
+    Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
+    *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330", .casts = casts};
+    maker.options.slot = "transparency"; /* of the pass value */
+    made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
+    maker.options.target = made->target;
+    maker.options.instances = made->instances;
+    maker.options.moved = scene->displaced > 0;
+    maker.options.validate = false; /* the driver does */
+    const bool fine = make(&maker);
+    free(maker.last);
+    if (fine)
+        return true;
+    set_free(made);
+    return false;
+}
+
+void set_free(Set *set)
+{
+    for (int i = 0; i < set->count; i++)
+        matc_program_free(set->programs[i].program);
+    free(set->programs);
+    free(set->of_material);
+    matc_layout_free(set->layout);
+    matc_layout_free(set->sheet);
+    *set = (Set){0};
+}
+
+const SetProgram *set_find(const Set *set, int material, const char *pass)
+{
+    int number = set->of_material[material];
+    while (number && strcmp(set->programs[number - 1].pass, pass) != 0)
+        number = set->programs[number - 1].other;
+    return number ? &set->programs[number - 1] : NULL;
+}
+
+int set_rows(const Set *set, int text)
+{
+    int rows = 0;
+    for (int i = text; i >= 0; i = set->programs[i].next)
+        rows++;
+    return rows;
+}
+
+const char *set_vertex(const Set *set, const SetProgram *program)
+{
+    return matc_output(set->programs[program->text].program, MATC_VERTEX, NULL);
+}
+
+const char *set_fragment(const Set *set, const SetProgram *program)
+{
+    return matc_output(set->programs[program->text].program, MATC_FRAGMENT, NULL);
+}
+
+const char *set_format(const Set *set, int target)
+{
+    for (int i = 0; i < set->count; i++)
+        if (strcmp(set->programs[i].pass, "sky") != 0)
+            return target < matc_target_count(set->programs[i].program)
+                       ? matc_target_format(set->programs[i].program, target)
+                       : NULL;
+    return NULL;
+}
+
+const LayoutRow *set_layout(const Set *set, const MatcOptions *compile_options)
+{
+    const MatcLayout *custom = set->layout ? set->layout : compile_options->custom;
+    if (custom)
+        return custom->row;
+    for (int i = 0; compile_options->layout && i < LAYOUT_COUNT; i++)
+        if (!strcmp(layout_table[i].name, compile_options->layout))
+            return &layout_table[i];
+    return &layout_table[LAYOUT_compact]; /* the default of the targets here */
+}

@@ -1,0 +1,207 @@
+/* Sums in double, rounded once. */
+#include "runtime/cache/view_space.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+#include <string.h>
+
+static Mat4 rounded(const double m[16])
+{
+    Mat4 result;
+    for (int i = 0; i < 16; i++)
+        result.m[i] = (float)m[i];
+    return result;
+}
+
+static void look(const SceneCamera *camera, double m[16])
+{
+    const double *axes[3] = {camera->right, camera->up, camera->back};
+    memset(m, 0, 16 * sizeof *m);
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++) {
+            m[4 * column + row] = axes[row][column];
+            m[12 + row] -= axes[row][column] * camera->position[column];
+        }
+    m[15] = 1;
+}
+
+/* Reversed: depth 1 is nearest. With perspective it is near / distance, and 0 infinitely far; z of clip space is that, or, from -1 to 1, twice
+ * that less 1, times w. Orthographic: 1 - distance / depth. */
+static void project(const SceneCamera *camera, const double half[2], bool zero_to_one, double m[16])
+{
+    const double scale = zero_to_one ? 1 : 2;
+    memset(m, 0, 16 * sizeof *m);
+    m[0] = 1 / half[0];
+    m[5] = 1 / half[1];
+    if (camera->kind == SCENE_Perspective) {
+        m[11] = -1;
+        m[14] = scale * camera->near;
+        m[10] = zero_to_one ? 0 : 1; /* less w, which is -z */
+    } else {
+        m[15] = 1;
+        m[10] = scale / camera->depth;
+        m[14] = 1; /* that, or 2 less 1 */
+    }
+}
+
+void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one, ViewSpace *made)
+{
+    const double shorter = size[0] < size[1] ? size[0] : size[1];
+    const double half[2] = {camera->half * size[0] / shorter, camera->half * size[1] / shorter};
+    double projection[16];
+    look(camera, made->eye_from_world);
+    project(camera, half, zero_to_one, projection);
+    made->spaces = (Spaces){.world_from_local = mat4_identity(),
+                            .eye_from_world = rounded(made->eye_from_world),
+                            .clip_from_eye = rounded(projection),
+                            .zero_to_one = zero_to_one};
+    const bool orthographic = camera->kind == SCENE_Orthographic;
+    for (int i = 0; i < 3; i++) {
+        made->spaces.eye[i] = (float)camera->position[i];
+        made->spaces.viewer[i] = (float)(orthographic ? camera->back[i] : camera->position[i]);
+    }
+    made->spaces.viewer[3] = orthographic ? 0 : 1;
+    for (int i = 0; i < 2; i++) {
+        made->ray[i] = (float)(camera->half / shorter);
+        made->ray[2 + i] = (float)size[i];
+    }
+    memcpy(made->depth, (float[4]){(float)(orthographic ? camera->depth : camera->near), orthographic},
+           sizeof made->depth);
+}
+
+void view_space_place(ViewSpace *space, const int size[2], const int at[2])
+{
+    for (int i = 0; i < 2; i++)
+        space->ray[2 + i] = (float)(size[i] - 2 * at[i]);
+}
+
+/* The plane's point on the line through `at` along the view. */
+static void meet(const SceneCamera *camera, const double normal[3], const double origin[3], double at[3])
+{
+    const double along =
+        (scene_vector_dot(normal, origin) - scene_vector_dot(normal, at)) / scene_vector_dot(normal, camera->back);
+    for (int i = 0; i < 3; i++)
+        at[i] += along * camera->back[i];
+}
+
+void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane, Spaces *spaces)
+{
+    const double edge_on = 1e-6, shorter = size[0] < size[1] ? size[0] : size[1], *m = plane->m;
+    const double *axes[3] = {camera->back, camera->right, camera->up};
+    double normal[3], points[3][3]; /* the middle of the picture, of its right side, of its upper side */
+    scene_vector_cross(m, m + 4, normal);
+    scene_vector_normalize(normal);
+    const bool seen = fabs(scene_vector_dot(normal, camera->back)) > edge_on;
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 3; i++)
+            points[k][i] = camera->position[i] + (k ? axes[k][i] * camera->half * size[k - 1] / shorter : 0);
+        if (seen)
+            meet(camera, normal, m + 12, points[k]);
+    }
+    spaces->parallel = true;
+    for (int i = 0; i < 3; i++) {
+        const double back = seen ? camera->back[i] * camera->half : normal[i];
+        spaces->rays[0][i] = (float)((seen ? points[0][i] : m[12 + i]) + back);
+        spaces->rays[1][i] = (float)(seen ? points[0][i] - spaces->rays[0][i] : back); /* edge-on: away from it */
+        spaces->rays[2][i] = (float)(seen ? points[1][i] - points[0][i] : 0);
+        spaces->rays[3][i] = (float)(seen ? points[2][i] - points[0][i] : 0);
+    }
+}
+
+/* Of a point, w 1, or a direction, w 0. */
+static void to_eye(const ViewSpace *space, const double from[3], double w, float out[4])
+{
+    const double *m = space->eye_from_world;
+    for (int i = 0; i < 3; i++)
+        out[i] = (float)(m[i] * from[0] + m[4 + i] * from[1] + m[8 + i] * from[2] + m[12 + i] * w);
+    out[3] = (float)w;
+}
+
+/* Linear in the cosine between the angles, as scale and shift: a cone whose angles are one has the steepest slope that its cosine can tell. */
+static void cone_of(const SceneLight *light, float out[4])
+{
+    const double width = fmax(light->inner_cosine - light->outer_cosine, 1e-6);
+    out[0] = light->kind == SCENE_Spot ? (float)(1 / width) : 0;
+    out[1] = light->kind == SCENE_Spot ? (float)(-light->outer_cosine / width) : 1;
+}
+
+static void put_light(const ViewSpace *space, const SceneLight *light, float out[VIEW_SPACE_LIGHT_TEXELS][4])
+{
+    const bool far = light->kind == SCENE_Directional;
+    const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
+    memset(out, 0, VIEW_SPACE_LIGHT_TEXELS * sizeof *out);
+    to_eye(space, far ? back : light->position, far ? 0 : 1, out[0]);
+    for (int lane = 0; lane < 3; lane++)
+        out[1][lane] = (float)light->light[lane];
+    if (light->kind == SCENE_Area) {
+        to_eye(space, light->edges[0], 0, out[2]);
+        to_eye(space, light->edges[1], 0, out[3]);
+        out[1][3] = light->both_sides;
+        return;
+    }
+    to_eye(space, light->direction, 0, out[2]);
+    cone_of(light, out[3]);
+}
+
+ViewSpaceSection view_space_section(const SceneLight *light, bool shadows)
+{
+    if (light->kind == SCENE_Ambient || light->kind == SCENE_Hemisphere)
+        return VIEW_SPACE_SECTIONS;
+    if (light->kind == SCENE_Area)
+        return VIEW_SPACE_AREAS;
+    return light->kind == SCENE_Point && !(scene_light_casts(light) && shadows) ? VIEW_SPACE_PLAIN : VIEW_SPACE_POINTS;
+}
+
+static int texels_of(int section) { return section == VIEW_SPACE_PLAIN ? 2 : VIEW_SPACE_LIGHT_TEXELS; }
+
+int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section)
+{
+    int sum = 0;
+    for (int i = 0; i < section; i++)
+        sum += counts[i] * texels_of(i);
+    return sum;
+}
+
+void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows, float (*texels)[4],
+                       int counts[VIEW_SPACE_SECTIONS])
+{
+    float light[VIEW_SPACE_LIGHT_TEXELS][4];
+    for (int section = 0; section < VIEW_SPACE_SECTIONS; section++) {
+        counts[section] = 0;
+        for (int i = 0; i < scene->light_count; i++)
+            if ((int)view_space_section(&scene->lights[i], shadows) == section) {
+                put_light(space, &scene->lights[i], light);
+                memcpy(texels, light, (size_t)texels_of(section) * sizeof *texels);
+                texels += texels_of(section);
+                counts[section]++;
+            }
+    }
+}
+
+void view_space_ambient(const Scene *scene, float ambient[4])
+{
+    double sum[3] = {0};
+    for (int i = 0; i < scene->light_count; i++)
+        for (int lane = 0; lane < 3; lane++)
+            sum[lane] += scene->lights[i].kind == SCENE_Ambient ? scene->lights[i].light[lane] : 0;
+    for (int lane = 0; lane < 4; lane++)
+        ambient[lane] = lane < 3 ? (float)sum[lane] : 0;
+}
+
+bool view_space_hemisphere(const ViewSpace *space, const Scene *scene, float numbers[VIEW_SPACE_HEMISPHERE][4])
+{
+    double above[3] = {0}, below[3] = {0};
+    bool there = false;
+    memset(numbers, 0, VIEW_SPACE_HEMISPHERE * sizeof *numbers);
+    to_eye(space, (const double[]){0, 0, 1}, 0, numbers[0]);
+    for (int i = 0; i < scene->light_count; i++) {
+        const SceneLight *light = &scene->lights[i];
+        if (light->kind != SCENE_Hemisphere)
+            continue;
+        there = true;
+        for (int lane = 0; lane < 3; lane++) {
+            numbers[1][lane] = (float)(above[lane] += light->light[lane]);
+            numbers[2][lane] = (float)(below[lane] += light->ground[lane]);
+        }
+    }
+    return there;
+}

@@ -1,0 +1,66 @@
+/* What bisection by the driver keeps of a mesh, and what its two files share. */
+#ifndef MATC_DISPLACE_BISECTION_H
+#define MATC_DISPLACE_BISECTION_H
+#include "runtime/displace/displaced_bisection.h"
+
+/* Words of the head, as bisect.glsl has them, and lists behind it. */
+enum {
+    BISECTION_HIGH,
+    BISECTION_FREE,
+    BISECTION_WANTED,
+    BISECTION_FULL = 7,
+    BISECTION_SPLITS,
+    BISECTION_MERGES,
+    BISECTION_MERGED_ALL = 11,
+    BISECTION_LOST,
+    BISECTION_ROUNDS, /* of merging, of splitting */
+    BISECTION_GROUPS = 16,
+    BISECTION_GROUPS_CHOSEN = 20,
+    BISECTION_HEAD = 32,
+    BISECTION_LISTS = 7
+};
+/* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what follows them is one farther. */
+enum {
+    BISECTION_BASES,
+    BISECTION_LEAVES,
+    BISECTION_TABLE,
+    BISECTION_WORK,
+    BISECTION_RANGES,
+    BISECTION_BUFFERS,
+    BISECTION_CORNERS = BISECTION_RANGES
+};
+typedef enum {
+    BISECTION_LOOK,
+    BISECTION_MERGE_CHOOSE,
+    BISECTION_MERGE,
+    BISECTION_CHOOSE,
+    BISECTION_NEXT,
+    BISECTION_BEGIN,
+    BISECTION_STAGES
+} BisectionStage;
+
+typedef struct {
+    Material stages[BISECTION_STAGES]; /* splitting is the mesh's material */
+    GLuint buffers[BISECTION_BUFFERS];
+    int room, most, table_bits;             /* for leaves now, and ever; bits of a place in the table */
+    int ranged;                             /* ranges go so deep */
+    int rounds[2];                          /* of merging and of splitting, that the last view took */
+    int coarser;                            /* fourths of an octave that an error may be larger */
+    GLuint head[BISECTION_HEAD], head_copy; /* as it was read last; a buffer that it goes through */
+    int splits, merges, looks;              /* of the last view */
+    SceneCamera camera;
+    int size[2];
+} Bisection;
+
+bool bisection_there(const GlContext *gl);
+/* Programs and buffers, as `own`, without room for leaves. False: see the context's error. */
+bool bisection_make(const DisplacedMaking *making, Displaced *made);
+void bisection_forget(Displaced *displaced);
+/* Room for so many leaves, and their corners in the mesh; those that there are stay. */
+bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
+/* A uniform of all stages. */
+void bisection_set(Displaced *displaced, const char *name, int lanes, const float *values);
+void bisection_set_number(Displaced *displaced, const char *name, double number);
+/* That a base's number has. */
+int bisection_base_bits(const ScenePatches *patches);
+#endif

@@ -1,0 +1,190 @@
+/* Programs and buffers of bisection, and the room that these have. */
+#include "runtime/displace/bisection.h"
+#include <math.h>
+#include <stdlib.h>
+
+extern const char render_text_displace_point[], render_text_bisect[], render_text_bisect_look[],
+    render_text_bisect_merge[], render_text_bisect_choose[], render_text_bisect_split[], render_text_bisect_next[];
+
+enum {
+    CORNER_BYTES = 3 * sizeof(MeshCaptured),
+    ID_BITS = 40,
+    DEEPEST = 28,
+    SAMPLES_SHARE =
+        8,          /* deviations are those of parts of which one has as many triangles as so many have in the end, */
+    PARTS_MOST = 6, /* but at most 64 of a triangle: what is coarser is bisected */
+    RANGE_PARTS = 3 /* ranges are kept of triangles that have 8 of these parts */
+};
+
+bool bisection_there(const GlContext *gl)
+{
+    GLint blocks = 0;
+    if (!gl->DispatchCompute || !gl->DispatchComputeIndirect || !gl->MemoryBarrier || !gl->ClearBufferSubData ||
+        !gl->CopyBufferSubData)
+        return false;
+    gl->GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
+    return blocks >= BISECTION_BUFFERS + DISPLACED_BUFFERS;
+}
+
+/* -- programs */
+
+static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisection *b)
+{
+    static const char point[] = "#define DISPLACE_POINT\n#define DISPLACE_OUT\n";
+    static const char *const texts[] = {render_text_bisect_look, render_text_bisect_merge, render_text_bisect_merge,
+                                        render_text_bisect_choose, render_text_bisect_next};
+    ProgramText split = {.compute = {displaced_version, point, making->displace, render_text_displace_point,
+                                     render_text_bisect, render_text_bisect_split}};
+    ProgramText begin = {.compute = {displaced_version, "#define BISECT_BEGIN\n", point, making->displace,
+                                     render_text_displace_point, render_text_bisect, render_text_bisect_split}};
+    bool fine = displaced_program(making, &split, &made->material) &&
+                displaced_program(making, &begin, &b->stages[BISECTION_BEGIN]);
+    for (int i = 0; fine && i < BISECTION_BEGIN; i++) {
+        const ProgramText text = {.compute = {displaced_version,
+                                              i == BISECTION_MERGE_CHOOSE ? "#define BISECT_CHOOSE\n" : "\n",
+                                              render_text_bisect, texts[i]}};
+        fine = material_make(making->store, NULL, &text, &b->stages[i]);
+    }
+    return fine;
+}
+
+static int bits_of(size_t count)
+{
+    int bits = 0;
+    while ((size_t)1 << bits < count)
+        bits++;
+    return bits;
+}
+
+void bisection_set(Displaced *d, const char *name, int lanes, const float *values)
+{
+    Bisection *b = d->own;
+    for (int i = 0; i < BISECTION_STAGES; i++)
+        material_set(&b->stages[i], &(MaterialValue){name, lanes, values});
+    material_set(&d->material, &(MaterialValue){name, lanes, values});
+}
+
+void bisection_set_number(Displaced *d, const char *name, double number)
+{
+    const float value = (float)number;
+    bisection_set(d, name, 1, &value);
+}
+
+/* -- room */
+
+static void new_buffer(const GlContext *gl, GLuint buffer, size_t bytes, const void *from)
+{
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)bytes, from, GL_DYNAMIC_COPY);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+/* The buffer has more room, and what it had. */
+static void grow_buffer(const GlContext *gl, GLuint buffer, size_t had, size_t bytes)
+{
+    GLuint kept;
+    gl->GenBuffers(1, &kept);
+    new_buffer(gl, kept, had + 1, NULL);
+    for (int back = 0; back < 2; back++) {
+        gl->BindBuffer(GL_COPY_READ_BUFFER, back ? kept : buffer);
+        gl->BindBuffer(GL_COPY_WRITE_BUFFER, back ? buffer : kept);
+        if (back)
+            gl->BufferData(GL_COPY_WRITE_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_COPY);
+        if (had)
+            gl->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, (GLsizeiptr)had);
+    }
+    gl->BindBuffer(GL_COPY_READ_BUFFER, 0);
+    gl->BindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    gl->DeleteBuffers(1, &kept);
+}
+
+/* A look and its rounds put at most five entries for each place into the table: one, one of who merges, two of who is bisected. */
+bool bisection_room(Displaced *d, Mesh *mesh, int room)
+{
+    Bisection *b = d->own;
+    const GlContext *gl = displaced_context(d);
+    const size_t had = (size_t)b->room, places = (size_t)room;
+    b->room = room;
+    b->table_bits = bits_of(5 * places);
+    grow_buffer(gl, b->buffers[BISECTION_LEAVES], 2 * had * sizeof(GLuint), 2 * places * sizeof(GLuint));
+    grow_buffer(gl, mesh->buffers[0], had * CORNER_BYTES, places * CORNER_BYTES);
+    new_buffer(gl, b->buffers[BISECTION_TABLE], ((size_t)1 << b->table_bits) * sizeof(GLuint), NULL);
+    new_buffer(gl, b->buffers[BISECTION_WORK], (BISECTION_HEAD + BISECTION_LISTS * places) * sizeof(GLuint), NULL);
+    bisection_set_number(d, "bisect_room", room);
+    bisection_set_number(d, "bisect_tableBits", b->table_bits);
+    return displaced_unshared(d, mesh, room);
+}
+
+static int most_of(const GlContext *gl, const ScenePatches *patches)
+{
+    GLint bytes = 0;
+    gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    const int most = patches->triangles > patches->count ? patches->triangles : patches->count,
+              held = bytes / (int)CORNER_BYTES;
+    return most < held ? most : held;
+}
+
+int bisection_base_bits(const ScenePatches *patches)
+{
+    enum { LEAST = 8 }; /* so that 32 bits hold a number of a bisector */
+    const int bits = bits_of((size_t)patches->count);
+    return bits > LEAST ? bits : LEAST;
+}
+
+static void set_constants(Displaced *d)
+{
+    const ScenePatches *patches = d->patches;
+    const int base_bits = bisection_base_bits(patches);
+    const int deepest = ID_BITS - base_bits - 4 < DEEPEST ? ID_BITS - base_bits - 4 : DEEPEST;
+    const int wanted = bits_of((size_t)patches->triangles / SAMPLES_SHARE) - bits_of((size_t)patches->count);
+    const int even = wanted < 0 ? 0 : wanted < deepest ? wanted : deepest;
+    float reach[3] = {0};
+    for (int i = 0; i < 9; i++)
+        reach[i % 3] += (float)(fabs(patches->world_from_local.m[4 * (i / 3) + i % 3]) * patches->reach[i / 3]);
+    bisection_set_number(d, "bisect_baseBits", base_bits);
+    bisection_set_number(d, "bisect_deepest", deepest);
+    bisection_set_number(d, "bisect_even", even);
+    bisection_set_number(d, "bisect_coarse", even > PARTS_MOST ? even - PARTS_MOST : 0);
+    bisection_set(d, "bisect_reach", 3, reach);
+    Bisection *b = d->own;
+    b->ranged = even > RANGE_PARTS ? even - RANGE_PARTS : 0;
+    bisection_set_number(d, "bisect_ranged", b->ranged);
+    new_buffer(displaced_context(d), b->buffers[BISECTION_RANGES],
+               2 * sizeof(GLuint) * ((size_t)patches->count << (b->ranged + 1)), NULL);
+}
+
+bool bisection_make(const DisplacedMaking *making, Displaced *made)
+{
+    GlContext *gl = store_context(making->store);
+    Bisection *b = made->own = calloc(1, sizeof *b);
+    size_t words = 0;
+    if (!b)
+        return gl_fail(gl, "out of memory");
+    if (!make_stages(making, made, b))
+        return false;
+    uint32_t *bases = displaced_bisection_bases(making->patches, &words);
+    if (!bases)
+        return gl_fail(gl, "out of memory");
+    gl->GenBuffers(BISECTION_BUFFERS, b->buffers);
+    gl->GenBuffers(1, &b->head_copy);
+    new_buffer(gl, b->buffers[BISECTION_BASES], words * sizeof *bases, bases);
+    free(bases);
+    b->most = most_of(gl, making->patches);
+    set_constants(made);
+    return making->patches->count <= b->most ||
+           gl_fail(gl, "a mesh of %d triangles is too large to be bisected here", making->patches->count);
+}
+
+void bisection_forget(Displaced *d)
+{
+    Bisection *b = d->own;
+    if (!b)
+        return;
+    for (int i = 0; i < BISECTION_STAGES; i++)
+        if (b->stages[i].store)
+            material_delete(&b->stages[i]);
+    displaced_context(d)->DeleteBuffers(BISECTION_BUFFERS, b->buffers);
+    displaced_context(d)->DeleteBuffers(1, &b->head_copy);
+    free(b);
+    d->own = NULL;
+}

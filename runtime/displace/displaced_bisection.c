@@ -1,0 +1,274 @@
+/* Bisection by compute stages, in place: from frame to frame 8 bytes are kept of each triangle, its number and two deviations (bisect.glsl), and its corners as they are drawn. A view looks at
+ * all of them once. Those that are finer than they need be merge with their siblings, until none can; then others are bisected, until none has to. What there is at the end goes by the view
+ * alone, and not by those before: whoever is to be bisected has parents that are (bisectWants), and all else there is only so that the mesh conforms.
+ *
+ *     a view that comes nearer: 1,000 leaves, 5 want to; one waits for its neighbour, one for two: rounds bisect 4 edges, then 2, then 1, and 14 triangles more are there
+ *
+ * Where triangles are not enough, what an error may be is a fourth of an octave more, and so on; the least of these that is enough. */
+#include "runtime/displace/bisection.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS, GROUP = 64, LEAST_ROOM = 1 << 12 };
+
+/* -- stages */
+
+static void bind(const Displaced *d, const Mesh *mesh)
+{
+    const GlContext *gl = displaced_context(d);
+    const Bisection *b = d->own;
+    for (GLuint i = 0; i < BISECTION_BUFFERS; i++)
+        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, i < BISECTION_CORNERS ? i : i + 1, b->buffers[i]);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, BISECTION_CORNERS, mesh->buffers[0]);
+    for (GLuint i = 0; i < DISPLACED_BUFFERS; i++)
+        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, ROWS_BINDING + i, d->buffers[i]);
+    gl->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, b->buffers[BISECTION_WORK]);
+}
+
+static void finish(const GlContext *gl)
+{
+    gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+static void dispatch(const Displaced *d, Material *stage, GLuint count)
+{
+    const GlContext *gl = displaced_context(d);
+    material_use(stage);
+    gl->DispatchCompute((count + GROUP - 1) / GROUP, 1, 1);
+    finish(gl);
+}
+
+/* As many groups as stand in the head. */
+static void dispatch_counted(const Displaced *d, Material *stage, int groups)
+{
+    const GlContext *gl = displaced_context(d);
+    material_use(stage);
+    gl->DispatchComputeIndirect((GLintptr)((size_t)groups * sizeof(GLuint)));
+    finish(gl);
+}
+
+static void next(const Displaced *d, int step)
+{
+    Bisection *b = d->own;
+    material_set_number(&b->stages[BISECTION_NEXT], "bisect_step", (float)step);
+    dispatch(d, &b->stages[BISECTION_NEXT], 1);
+}
+
+/* The head goes by way of a buffer of its own: what the processor reads or writes itself, a driver may move to the processor's memory. */
+static void copy_head(const Displaced *d, GLuint from, GLuint to)
+{
+    const GlContext *gl = displaced_context(d);
+    gl->BindBuffer(GL_COPY_READ_BUFFER, from);
+    gl->BindBuffer(GL_COPY_WRITE_BUFFER, to);
+    gl->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, BISECTION_HEAD * sizeof(GLuint));
+}
+
+static void read_head(const Displaced *d)
+{
+    Bisection *b = d->own;
+    const GlContext *gl = displaced_context(d);
+    copy_head(d, b->buffers[BISECTION_WORK], b->head_copy);
+    gl->GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof b->head, b->head);
+}
+
+static void write_head(const Displaced *d, GLuint high)
+{
+    Bisection *b = d->own;
+    const GlContext *gl = displaced_context(d);
+    memset(b->head, 0, sizeof b->head);
+    b->head[BISECTION_HIGH] = high;
+    gl->BindBuffer(GL_COPY_READ_BUFFER, b->head_copy);
+    gl->BufferData(GL_COPY_READ_BUFFER, sizeof b->head, b->head, GL_STREAM_READ);
+    copy_head(d, b->head_copy, b->buffers[BISECTION_WORK]);
+}
+
+/* So many rounds at once: what is done before they end has nothing to do in the others. */
+static void run_rounds(Displaced *d, int merging, int splitting)
+{
+    Bisection *b = d->own;
+    for (int i = 0; i < merging; i++) {
+        dispatch_counted(d, &b->stages[BISECTION_MERGE_CHOOSE], BISECTION_GROUPS);
+        next(d, 1);
+        dispatch_counted(d, &b->stages[BISECTION_MERGE], BISECTION_GROUPS_CHOSEN);
+        next(d, 2);
+    }
+    for (int i = 0; i < splitting; i++) {
+        dispatch_counted(d, &b->stages[BISECTION_CHOOSE], BISECTION_GROUPS);
+        next(d, 3);
+        dispatch_counted(d, &d->material, BISECTION_GROUPS_CHOSEN);
+        next(d, 4);
+    }
+}
+
+/* All leaves are looked at; who can merges, who has to is bisected. False: there is no room for all. */
+static bool update(Displaced *d, GLuint high)
+{
+    enum { MORE = 4, MOST = 16 };
+    Bisection *b = d->own;
+    const GlContext *gl = displaced_context(d);
+    const GLuint none = 0;
+    write_head(d, high);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, b->buffers[BISECTION_TABLE]);
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0,
+                           (GLsizeiptr)(((size_t)1 << b->table_bits) * sizeof none), GL_RED_INTEGER, GL_UNSIGNED_INT,
+                           &none);
+    finish(gl);
+    bisection_set_number(d, "bisect_pixels", d->patches->pixels * exp2(b->coarser / 4.));
+    dispatch(d, &b->stages[BISECTION_LOOK], high);
+    next(d, 0);
+    b->looks++;
+    int merging = b->rounds[0] + 1, splitting = b->rounds[1] + 1;
+    do {
+        run_rounds(d, merging, splitting);
+        read_head(d);
+        merging = b->head[BISECTION_MERGED_ALL] ? 0 : MORE;
+        splitting = MORE;
+    } while (!b->head[BISECTION_FULL] && !b->head[BISECTION_LOST] &&
+             (!b->head[BISECTION_MERGED_ALL] || b->head[BISECTION_WANTED]));
+    for (int i = 0; i < 2; i++)
+        b->rounds[i] = (int)b->head[BISECTION_ROUNDS + i] < MOST ? (int)b->head[BISECTION_ROUNDS + i] : MOST;
+    b->splits += (int)b->head[BISECTION_SPLITS];
+    b->merges += (int)b->head[BISECTION_MERGES];
+    return !b->head[BISECTION_FULL];
+}
+
+static bool settle(Displaced *d, Mesh *mesh)
+{
+    Bisection *b = d->own;
+    int enough = 0; /* no less than that */
+    for (;;) {
+        const bool fits = update(d, b->head[BISECTION_HIGH]);
+        if (b->head[BISECTION_LOST])
+            return gl_fail(displaced_context(d), "bisection lost a neighbour");
+        if (!fits && b->room < b->most) {
+            if (!bisection_room(d, mesh, b->room < b->most / 2 ? 2 * b->room : b->most))
+                return false;
+            bind(d, mesh);
+        } else if (!fits) {
+            enough = ++b->coarser;
+        } else if (b->coarser > enough) {
+            b->coarser--;
+        } else {
+            return true;
+        }
+    }
+}
+
+/* -- views */
+
+static void set_plane(const double normal[3], const double at[3], double offset, float plane[4])
+{
+    plane[3] = (float)offset;
+    for (int i = 0; i < 3; i++) {
+        plane[i] = (float)normal[i];
+        plane[3] -= (float)(normal[i] * at[i]);
+    }
+}
+
+static void set_view(Displaced *d, const DisplacedView *view, const Mesh *mesh)
+{
+    const SceneCamera *camera = view->camera;
+    const double shorter = view->size[0] < view->size[1] ? view->size[0] : view->size[1];
+    const bool parallel = camera->kind == SCENE_Orthographic;
+    float sides[16], front[4], eye[4];
+    for (int side = 0; side < 4; side++) {
+        const double reach = camera->half * view->size[side / 2] / shorter, way = side % 2 ? 1 : -1;
+        double normal[3];
+        for (int i = 0; i < 3; i++)
+            normal[i] = way * (side / 2 ? camera->up[i] : camera->right[i]) - (parallel ? 0 : reach * camera->back[i]);
+        set_plane(normal, camera->position, parallel ? reach : 0, &sides[4 * side]);
+    }
+    set_plane((const double[]){-camera->back[0], -camera->back[1], -camera->back[2]}, camera->position, 0, front);
+    for (int i = 0; i < 3; i++)
+        eye[i] = (float)(parallel ? camera->back[i] : camera->position[i]);
+    eye[3] = parallel ? 0 : 1;
+    bisection_set(d, "bisect_sides", 16, sides);
+    bisection_set(d, "bisect_front", 4, front);
+    bisection_set(d, "bisect_eye", 4, eye);
+    bisection_set_number(d, "bisect_near", fmax(camera->near, 1e-6));
+    bisection_set_number(d, "bisect_scale", shorter / 2 / camera->half);
+    bisection_set_number(d, "bisect_closed", mesh->body != SHAPE_BODY_none);
+}
+
+static bool begin(Displaced *d, Mesh *mesh)
+{
+    Bisection *b = d->own;
+    const int bases = d->patches->count, room = 2 * bases > LEAST_ROOM ? 2 * bases : LEAST_ROOM;
+    if (!bisection_room(d, mesh, room < b->most ? room : b->most))
+        return false;
+    bind(d, mesh);
+    write_head(d, (GLuint)bases);
+    for (int level = b->ranged; level >= -1; level--) {
+        material_set_number(&b->stages[BISECTION_BEGIN], "bisect_level", (float)level);
+        dispatch(d, &b->stages[BISECTION_BEGIN], (GLuint)bases << (level > 0 ? level : 0));
+    }
+    return gl_check(displaced_context(d), "bisecting a mesh");
+}
+
+static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
+{
+    Bisection *b = d->own;
+    const GlContext *gl = displaced_context(d);
+    const bool first = !b->room;
+    d->anew = false;
+    if (!first && !memcmp(&b->camera, view->camera, sizeof b->camera) && !memcmp(b->size, view->size, sizeof b->size))
+        return true;
+    if (first && !begin(d, mesh))
+        return false;
+    b->camera = *view->camera;
+    memcpy(b->size, view->size, sizeof b->size);
+    b->splits = b->merges = b->looks = 0;
+    set_view(d, view, mesh);
+    bind(d, mesh);
+    const bool fine = settle(d, mesh);
+    gl->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+    gl->MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    d->anew = first || b->splits || b->merges;
+    d->points = 3 * (int)b->head[BISECTION_HIGH];
+    mesh->index_count = d->points;
+    return fine && gl_check(displaced_context(d), "bisecting a mesh");
+}
+
+DisplacedBisectionCost displaced_bisection_cost(const Displaced *d)
+{
+    const Bisection *b = d->own;
+    return (DisplacedBisectionCost){
+        .leaves = (int)(b->head[BISECTION_HIGH] - b->head[BISECTION_FREE]),
+        .splits = b->splits,
+        .merges = b->merges,
+        .kept = 2 * sizeof(GLuint) * (b->head[BISECTION_HIGH] + ((size_t)d->patches->count << (b->ranged + 1))),
+        .scratch = sizeof(GLuint) * (((size_t)1 << b->table_bits) + BISECTION_HEAD + BISECTION_LISTS * (size_t)b->room),
+        .looks = b->looks,
+        .pixels = d->patches->pixels * exp2(b->coarser / 4.)};
+}
+
+uint64_t *displaced_bisection_leaves(const Displaced *d, int *count)
+{
+    const Bisection *b = d->own;
+    const GlContext *gl = displaced_context(d);
+    const size_t places = b->head[BISECTION_HIGH];
+    const int base_bits = bisection_base_bits(d->patches);
+    uint32_t(*words)[2] = malloc((places + 1) * sizeof *words);
+    uint64_t *leaves = malloc((places + 1) * sizeof *leaves);
+    *count = 0;
+    if (words && leaves) {
+        gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, b->buffers[BISECTION_LEAVES]);
+        gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)(places * sizeof *words), words);
+        gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+        for (size_t i = 0; i < places; i++) {
+            const uint64_t id = words[i][0] | (uint64_t)(words[i][1] & 255) << 32;
+            if (id)
+                leaves[(*count)++] = (id & (((uint64_t)1 << base_bits) - 1)) << 32 | id >> base_bits;
+        }
+    } else {
+        gl_fail(displaced_context(d), "out of memory");
+        free(leaves);
+        leaves = NULL;
+    }
+    free(words);
+    return leaves;
+}
+
+const DisplacedMethod displaced_bisection = {WORD_Displacing_bisection, true, bisection_there, bisection_make, write,
+                                             bisection_forget};

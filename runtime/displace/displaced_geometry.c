@@ -1,0 +1,110 @@
+/* By a geometry program in loops: patches of n parts are one draw, in which each part of a patch that is within what the driver writes at a time is a point. */
+#include "runtime/displace/displaced_method.h"
+#include <stdio.h>
+
+extern const char render_text_displace_point[], render_text_displace_item[], render_text_displace_loop[];
+
+/* Numbers that are captured of a point; and how many points Mesa's software renderers may get of one draw: displaced_tessellation.c. */
+enum { COMPONENTS = sizeof(MeshCaptured) / sizeof(float), SOFTWARE_POINTS = 1 << 15 };
+
+bool displaced_geometry_there(const GlContext *gl)
+{
+    GLint buffers = 0;
+    gl->GetIntegerv(GL_MAX_GEOMETRY_SHADER_STORAGE_BLOCKS, &buffers);
+    return buffers >= DISPLACED_BUFFERS;
+}
+
+int displaced_geometry_points(const GlContext *gl)
+{
+    GLint components = 0, points = 0;
+    gl->GetIntegerv(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, &components);
+    gl->GetIntegerv(GL_MAX_GEOMETRY_OUTPUT_VERTICES, &points);
+    return components / COMPONENTS < points ? components / COMPONENTS : points;
+}
+
+/* -- what rows take: n of them are n^2 triangles in strips of n^2 + 2 n points; a band has two points for each of its edge, and two triangles for each part */
+
+static int points_of(int rows, Word skirts)
+{
+    const int strips = rows * (rows + 2);
+    return skirts == WORD_Skirts_outline ? strips + 6 * (rows + 1)
+           : skirts == WORD_Skirts_all   ? strips + 8 * rows * rows
+           : skirts == WORD_Skirts_copy  ? strips + 3
+                                         : strips;
+}
+
+/* Of a patch whose edges have n parts. */
+static size_t triangles_of(int n, Word skirts)
+{
+    const size_t all = (size_t)n * (size_t)n;
+    return skirts == WORD_Skirts_outline ? all + 6 * (size_t)n
+           : skirts == WORD_Skirts_all   ? 7 * all
+           : skirts == WORD_Skirts_copy  ? all + 1
+                                         : all;
+}
+
+/* As many rows as are within `points`, and divide n. */
+static int rows_of(int n, Word skirts, int points)
+{
+    int rows = n;
+    while (rows > 1 && (n % rows || points_of(rows, skirts) > points))
+        rows--;
+    return rows;
+}
+
+/* -- programs */
+
+static bool make(const DisplacedMaking *making, Displaced *made)
+{
+    char most[64];
+    snprintf(most, sizeof most, "#define DISPLACE_VERTICES %d\n",
+             displaced_geometry_points(store_context(making->store)));
+    ProgramText text = {.vertex = {displaced_version, render_text_displace_item},
+                        .geometry = {displaced_version, "#define DISPLACE_POINT\n", most, making->displace,
+                                     render_text_displace_point, render_text_displace_loop}};
+    if (!displaced_program(making, &text, &made->material))
+        return false;
+    const Word skirts = making->patches->dividing.skirts;
+    material_set_number(&made->material, "displace_skirts",
+                        skirts == WORD_Skirts_copy      ? 1
+                        : skirts == WORD_Skirts_outline ? 2
+                        : skirts == WORD_Skirts_all     ? 3
+                                                        : 0);
+    return true;
+}
+
+/* -- triangles */
+
+/* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a time, where it is Mesa's software. */
+static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *mesh, size_t at)
+{
+    const GlContext *gl = displaced_context(d);
+    const Word skirts = d->patches->dividing.skirts;
+    const int rows = rows_of(n, skirts, displaced_geometry_points(gl)), parts = n / rows;
+    const size_t points = 3 * triangles_of(n, skirts);
+    const int most = gl->hardware ? first[1] - first[0] : points > SOFTWARE_POINTS ? 1 : SOFTWARE_POINTS / (int)points;
+    material_set_number(&d->material, "displace_rowCount", (float)rows);
+    material_set_number(&d->material, "displace_parts", (float)parts);
+    for (int from = first[0]; from < first[1];) {
+        const int count = first[1] - from < most ? first[1] - from : most;
+        material_set_number(&d->material, "displace_first", (float)from);
+        displaced_capture(d, mesh, at, (size_t)count * points);
+        gl->DrawArrays(GL_POINTS, 0, count * parts * parts);
+        gl->EndTransformFeedback();
+        at += (size_t)count * points;
+        from += count;
+    }
+    return at;
+}
+
+static size_t patch_triangles(const Displaced *d, int n) { return triangles_of(n, d->patches->dividing.skirts); }
+static const DisplacedByParts by_parts = {patch_triangles, draw_patches};
+
+static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
+{
+    int first[SCENE_PATCH_PARTS + 2];
+    return displaced_parts(d, view, first) && (!d->anew || displaced_by_parts(d, first, &by_parts, mesh));
+}
+
+const DisplacedMethod displaced_geometry = {
+    WORD_Displacing_geometry, false, displaced_geometry_there, make, write, NULL};

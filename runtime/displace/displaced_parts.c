@@ -1,0 +1,54 @@
+/* Into how many parts a view has edges of patches divided, and patches in order of these: for methods whose patches are drawn by number of parts. */
+#include "runtime/displace/displaced_method.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* Patches by the parts of their insides: `first` of each number of parts, and behind the last. */
+static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
+{
+    const int count = d->patches->count;
+    uint32_t(*drawn)[2] = calloc((size_t)count + 1, sizeof *drawn);
+    int next[SCENE_PATCH_PARTS + 2] = {0};
+    if (!drawn)
+        return gl_fail(displaced_context(d), "out of memory");
+    for (int t = 0; t < count; t++)
+        next[scene_patch_parts(d->parts[t]) + 1]++;
+    for (int n = 1; n < SCENE_PATCH_PARTS + 2; n++)
+        next[n] += next[n - 1];
+    memcpy(first, next, sizeof next);
+    for (int t = 0; t < count; t++) {
+        const uint8_t *parts = d->parts[t];
+        const int inside = scene_patch_parts(parts);
+        uint32_t *row = drawn[next[inside]++];
+        row[0] = (uint32_t)t;
+        row[1] = parts[0] | (uint32_t)parts[1] << 8 | (uint32_t)parts[2] << 16 | (uint32_t)inside << 24;
+    }
+    const bool fine = displaced_fill(displaced_context(d), d->buffers[2], drawn, (size_t)count * sizeof *drawn);
+    free(drawn);
+    return fine;
+}
+
+bool displaced_parts(Displaced *d, const DisplacedView *view, int first[SCENE_PATCH_PARTS + 2])
+{
+    const size_t bytes = (size_t)d->patches->count * sizeof *d->parts;
+    uint8_t(*parts)[3] = malloc(bytes + 1);
+    if (!parts)
+        return gl_fail(displaced_context(d), "out of memory");
+    scene_patches_levels(d->patches, view->camera, view->size, parts);
+    d->anew = !d->written || memcmp(parts, d->parts, bytes) != 0;
+    memcpy(d->parts, parts, bytes);
+    free(parts);
+    return !d->anew || write_drawn(d, first);
+}
+
+bool displaced_by_parts(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], const DisplacedByParts *by, Mesh *mesh)
+{
+    size_t triangles = 0, at = 0;
+    for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
+        triangles += (size_t)(first[n + 1] - first[n]) * by->triangles(d, n);
+    displaced_reserve(d, mesh, 0, 3 * triangles * sizeof(MeshCaptured));
+    displaced_begin(d);
+    for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
+        at = by->draw(d, &first[n], n, mesh, at);
+    return displaced_end(d) && displaced_unshared(d, mesh, (int)triangles);
+}

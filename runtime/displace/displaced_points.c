@@ -1,0 +1,85 @@
+/* By points: a vertex program has those of a grid, and a geometry program what stands for each. */
+#include "runtime/displace/displaced_method.h"
+#include "runtime/scene/scene_matrix.h"
+
+extern const char render_text_displace_point[], render_text_displace_symbol_vertex[], render_text_displace_symbol[];
+
+enum { SOFTWARE_POINTS = 1 << 15 /* displaced_tessellation.c */ };
+
+/* displace_symbol.glsl's numbers, and how many triangles each has. */
+static const struct {
+    Word word;
+    int triangles;
+} symbols[] = {
+    {WORD_Symbol_square, 2}, {WORD_Symbol_billboard, 2}, {WORD_Symbol_cylinder, 22}, {WORD_Symbol_sphere, 36}};
+enum { BILLBOARD = 1, SYMBOLS = sizeof symbols / sizeof *symbols };
+
+static int symbol_of(const Displaced *d)
+{
+    int symbol = 0;
+    while (symbol < SYMBOLS - 1 && symbols[symbol].word != d->patches->dividing.symbol)
+        symbol++;
+    return symbol;
+}
+
+static bool make(const DisplacedMaking *making, Displaced *made)
+{
+    ProgramText text = {.vertex = {displaced_version, render_text_displace_point, render_text_displace_symbol_vertex},
+                        .geometry = {displaced_version, "#define DISPLACE_POINT\n", making->displace,
+                                     render_text_displace_point, render_text_displace_symbol}};
+    if (!displaced_program(making, &text, &made->material))
+        return false;
+    material_set_number(&made->material, "displace_symbol", (float)symbol_of(made));
+    return true;
+}
+
+static void set_eye(Displaced *d, const DisplacedView *view)
+{
+    SceneMatrix inverse;
+    float eye[3];
+    scene_matrix_invert(&d->patches->world_from_local, &inverse); /* scene_displaced_mesh has seen to that */
+    for (int i = 0; i < 3; i++) {
+        double sum = inverse.m[12 + i];
+        for (int k = 0; k < 3; k++)
+            sum += inverse.m[4 * k + i] * view->camera->position[k];
+        eye[i] = (float)sum;
+    }
+    material_set(&d->material, &(MaterialValue){"displace_eye", 3, eye});
+}
+
+static int points_of(int n) { return (n + 1) * (n + 2) / 2; }
+
+/* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a time, where it is Mesa's software. */
+static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *mesh, size_t at)
+{
+    const GlContext *gl = displaced_context(d);
+    const int points = 3 * points_of(n) * symbols[symbol_of(d)].triangles;
+    const int most = gl->hardware ? first[1] - first[0] : points > SOFTWARE_POINTS ? 1 : SOFTWARE_POINTS / points;
+    material_set_number(&d->material, "displace_parts", (float)n);
+    for (int from = first[0]; from < first[1];) {
+        const int count = first[1] - from < most ? first[1] - from : most;
+        material_set_number(&d->material, "displace_first", (float)from);
+        displaced_capture(d, mesh, at, (size_t)count * (size_t)points);
+        gl->DrawArraysInstanced(GL_POINTS, 0, points_of(n), count);
+        gl->EndTransformFeedback();
+        at += (size_t)count * (size_t)points;
+        from += count;
+    }
+    return at;
+}
+
+static size_t patch_triangles(const Displaced *d, int n) { return (size_t)(points_of(n) * symbols[symbol_of(d)].triangles); }
+static const DisplacedByParts by_parts = {patch_triangles, draw_patches};
+
+static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
+{
+    int first[SCENE_PATCH_PARTS + 2];
+    if (symbol_of(d) == BILLBOARD)
+        d->written = false; /* for another camera they stand otherwise */
+    if (!displaced_parts(d, view, first))
+        return false;
+    set_eye(d, view);
+    return !d->anew || displaced_by_parts(d, first, &by_parts, mesh);
+}
+
+const DisplacedMethod displaced_points = {WORD_Displacing_points, true, displaced_geometry_there, make, write, NULL};

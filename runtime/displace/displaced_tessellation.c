@@ -1,0 +1,83 @@
+/* By the tessellator: all patches are one draw, and what comes out is counted. */
+#include "runtime/displace/displaced_method.h"
+#include <stdlib.h>
+
+extern const char render_text_displace_point[], render_text_displace_vertex[], render_text_displace_control[],
+    render_text_displace_evaluation[];
+
+static bool there(const GlContext *gl)
+{
+    GLint evaluation = 0, control = 0;
+    gl->GetIntegerv(GL_MAX_TESS_EVALUATION_SHADER_STORAGE_BLOCKS, &evaluation);
+    gl->GetIntegerv(GL_MAX_TESS_CONTROL_SHADER_STORAGE_BLOCKS, &control);
+    return evaluation >= DISPLACED_BUFFERS && control >= 1;
+}
+
+static bool make(const DisplacedMaking *making, Displaced *made)
+{
+    ProgramText text = {.vertex = {displaced_version, render_text_displace_vertex},
+                        .control = {displaced_version, render_text_displace_point, render_text_displace_control},
+                        .evaluation = {displaced_version, "#define DISPLACE_POINT\n", making->displace,
+                                       render_text_displace_point, render_text_displace_evaluation}};
+    return displaced_program(making, &text, &made->material);
+}
+
+static size_t points_of(int n) { return (size_t)(n + 1) * (size_t)(n + 2) / 2; }
+
+/* Mesa's software renderers number what comes out of a part of a draw in 16 bits, and lose what is beyond: there, few patches are drawn at a time. */
+static void draw_patches(const Displaced *d, const int first[SCENE_PATCH_PARTS + 2])
+{
+    enum { POINTS = 1 << 15 };
+    const GlContext *gl = displaced_context(d);
+    for (int n = 1, patch = 0; patch < d->patches->count; n += patch == first[n + 1]) {
+        const int most = gl->hardware ? d->patches->count : (int)(POINTS / points_of(n)) + 1,
+                  end = gl->hardware ? d->patches->count : first[n + 1];
+        const int count = end - patch < most ? end - patch : most;
+        if (count)
+            gl->DrawArrays(GL_PATCHES, 3 * patch, 3 * count);
+        patch += count;
+    }
+}
+
+/* How many triangles come out, of which as many are written as there is room for. */
+static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], const Mesh *mesh)
+{
+    const GlContext *gl = displaced_context(d);
+    GLuint query, made = 0;
+    displaced_begin(d);
+    gl->GenQueries(1, &query);
+    material_use(&d->material);
+    gl->BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, mesh->buffers[0]);
+    gl->BeginQuery(GL_PRIMITIVES_GENERATED, query);
+    gl->BeginTransformFeedback(GL_TRIANGLES);
+    draw_patches(d, first);
+    gl->EndTransformFeedback();
+    gl->EndQuery(GL_PRIMITIVES_GENERATED);
+    gl->GetQueryObjectuiv(query, GL_QUERY_RESULT, &made);
+    gl->DeleteQueries(1, &query);
+    return displaced_end(d) ? (int)made : -1;
+}
+
+/* A tessellator makes about n^2 3 / 2 triangles of a patch: rings of 3 n, 3 (n - 2), ... quads. */
+static bool write_tessellated(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Mesh *mesh)
+{
+    int room, made = 0;
+    for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
+        made += (first[n + 1] - first[n]) * (3 * n * n / 2 + 2);
+    do {
+        room = made;
+        displaced_reserve(d, mesh, 0, 3 * (size_t)room * sizeof(MeshCaptured));
+        made = tessellate(d, first, mesh);
+        if (made < 0)
+            return false;
+    } while (made > room);
+    return displaced_unshared(d, mesh, made);
+}
+
+static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
+{
+    int first[SCENE_PATCH_PARTS + 2];
+    return displaced_parts(d, view, first) && (!d->anew || write_tessellated(d, first, mesh));
+}
+
+const DisplacedMethod displaced_tessellation = {WORD_Displacing_tessellation, false, there, make, write, NULL};

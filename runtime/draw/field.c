@@ -1,0 +1,97 @@
+/* Uploads vertices, and writes the vertex program that passes them through. */
+#include "runtime/draw/field.h"
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { TEXT_ROOM = 8192 };
+
+static const char *const attributes[FIELD_VARYINGS + 1] = {
+    "at", "in_P", "in_N", "in_DU", "in_DV", "in_U", "in_X", "in_eyeN", "in_ray", "in_XU", "in_XV",
+};
+
+bool field_make(GlContext *gl, const FieldVertex *vertices, int count, GLenum mode, Field *made)
+{
+    *made = (Field){.mode = mode, .count = count};
+    gl->GenVertexArrays(1, &made->array);
+    gl->GenBuffers(1, &made->buffer);
+    gl->BindVertexArray(made->array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, made->buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)count * sizeof *vertices), vertices, GL_STATIC_DRAW);
+    for (int i = 0; i <= FIELD_VARYINGS; i++) {
+        size_t offset = i ? offsetof(FieldVertex, input) + (size_t)(i - 1) * sizeof vertices->input[0] : 0;
+        gl->VertexAttribPointer((GLuint)i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof *vertices, (void *)offset);
+        gl->EnableVertexAttribArray((GLuint)i);
+    }
+    gl->BindVertexArray(0);
+    return gl_check(gl, "making vertices");
+}
+
+void field_draw(const GlContext *gl, const Field *field)
+{
+    gl->BindVertexArray(field->array);
+    gl->DrawArrays(field->mode, 0, field->count);
+}
+
+void field_delete(const GlContext *gl, Field *field)
+{
+    gl->DeleteVertexArrays(1, &field->array);
+    gl->DeleteBuffers(1, &field->buffer);
+    *field = (Field){0};
+}
+
+/* The fragment program declares it: "... worldNormal;" */
+static bool declares(const char *fragment, const InputRow *row)
+{
+    char text[64];
+    snprintf(text, sizeof text, "%s %s;", type_table[row->type].name, row->glsl);
+    return strstr(fragment, text) != NULL;
+}
+
+/* Of a varying, in GLSL that has locations: its number among the varyings. */
+static int location(int input)
+{
+    int count = 0;
+    for (int i = 0; i < input; i++)
+        count += input_table[i].source == SOURCE_varying;
+    return count;
+}
+
+/* Appends like snprintf. */
+#define PUT(...) (size += snprintf(text + size, size < TEXT_ROOM ? (size_t)(TEXT_ROOM - size) : 0, __VA_ARGS__))
+
+static void write_vertex(Target target, const char *fragment, char text[TEXT_ROOM])
+{
+    const bool old = !target_table[target].in_out, located = target_table[target].locations;
+    const char *in = old ? "attribute" : "in", *out = old ? "varying" : "out";
+    int size = 0;
+    PUT("#version %s\n%s vec4 at;\nuniform vec2 field_jitter;\n", target_table[target].version, in);
+    for (int i = 0; i < FIELD_VARYINGS; i++) {
+        const InputRow *row = &input_table[i];
+        if (!declares(fragment, row))
+            continue;
+        PUT("%s %s %s;\n", in, type_table[row->type].name, attributes[1 + i]);
+        if (located)
+            PUT("layout(location = %d) ", location(i));
+        PUT("%s %s %s;\n", out, type_table[row->type].name, row->glsl);
+    }
+    PUT("void main() {\n");
+    for (int i = 0; i < FIELD_VARYINGS; i++)
+        if (declares(fragment, &input_table[i]))
+            PUT("    %s = %s;\n", input_table[i].glsl, attributes[1 + i]);
+    PUT("    gl_Position = at + vec4(field_jitter * at.w, 0.0, 0.0);\n}\n");
+}
+#undef PUT
+
+bool field_material(Store *store, MatcProgram *program, const FieldText *text, Material *made)
+{
+    char vertex[TEXT_ROOM];
+    const char *fragment = text->fragment ? text->fragment : matc_output(program, MATC_FRAGMENT, NULL);
+    write_vertex(text->target, fragment, vertex);
+    return material_make(store, program,
+                         &(ProgramText){.vertex = {vertex},
+                                        .fragment = {fragment, text->library},
+                                        .attributes = attributes,
+                                        .attribute_count = FIELD_VARYINGS + 1},
+                         made);
+}
