@@ -31,7 +31,8 @@ typedef struct {
     Key *file_keys; /* of the scene's meshes */
     TransparencyText transparency;
     ExactNumberText number;
-    int *kind_of, *row_of, *caster_of; /* by material; kind_of -1: not met; caster_of -1: none */
+    int *kind_of, *row_of;    /* by material; kind_of -1: not met */
+    int *used_as[CACHE_USES]; /* by material, in Cache.casters; -1: not at all */
 } Maker;
 
 /* -1: it is not known. */
@@ -86,13 +87,15 @@ static int mesh_of(Maker *m, const SceneObject *object)
     return m->cache->mesh_count - 1;
 }
 
-static bool make_material(Maker *m, const SetProgram *program, bool casts, Material *made)
+static bool make_material(Maker *m, const SetProgram *program, CacheUse use, Material *made)
 {
     const Set *set = m->source->set;
     ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
-    if (program->transparent && !casts)
+    if (program->transparent && use == CACHE_USE_seen)
         transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
-    if (casts && set->casts == SET_CASTS_colored)
+    if (use == CACHE_USE_cut)
+        transparency_wrap_cut(m->gl, &text);
+    if (use == CACHE_USE_cast && set->uses.casts == SET_CASTS_colored)
         transparency_wrap_caster(m->gl, &text);
     if (m->source->written && !program->transparent && !strcmp(program->pass, "gbuffer"))
         exact_number_wrap(&m->number, &text);
@@ -100,31 +103,35 @@ static bool make_material(Maker *m, const SetProgram *program, bool casts, Mater
            set_fail(m->gl, m->source->scene, program->material);
 }
 
-/* The program with which one of the set casts shadows, or itself; -1: it casts none. */
-static int drawn_as(const Set *set, int program, bool casts) { return casts ? set->programs[program].caster : program; }
-
-/* Whether materials are drawn with one text, by surfaces and as casters. */
-static bool are_alike(const Set *set, int a, int b, bool casts)
+/* The program with which one of the set is drawn for a use; -1: it is not. */
+static int drawn_as(const Set *set, int program, CacheUse use)
 {
-    const int x = drawn_as(set, a, casts), y = drawn_as(set, b, casts);
+    const SetProgram *surface = &set->programs[program];
+    return use == CACHE_USE_cast ? surface->caster : use == CACHE_USE_cut ? surface->cut : program;
+}
+
+/* Whether materials are drawn with one text, as what is seen and for a use. */
+static bool are_alike(const Set *set, int a, int b, CacheUse use)
+{
+    const int x = drawn_as(set, a, use), y = drawn_as(set, b, use);
     return set->programs[a].text == set->programs[b].text && x >= 0 && y >= 0 &&
            set->programs[x].text == set->programs[y].text;
 }
 
-/* The numbers of all programs of a text, one behind the other: of a caster in the order of the surfaces. */
-static bool make_numbers(Maker *m, int surface, bool casts, GLuint *buffer)
+/* The numbers of all programs of a text, one behind the other: for a use in the order of the surfaces. */
+static bool make_numbers(Maker *m, int surface, CacheUse use, GLuint *buffer)
 {
     const Set *set = m->source->set;
     const GlContext *gl = m->gl;
-    const SetProgram *head = &set->programs[set->programs[drawn_as(set, surface, casts)].text];
+    const SetProgram *head = &set->programs[set->programs[drawn_as(set, surface, use)].text];
     const size_t size = (size_t)matc_constant_bytes(head->program);
     const int count = set_rows(set, set->programs[surface].text);
     char *rows = calloc((size_t)count + 1, size);
     if (!rows)
         return gl_fail(m->gl, "out of memory");
     for (int i = 0; i < set->count; i++)
-        if (are_alike(set, surface, i, casts))
-            matc_constant_block(set->programs[drawn_as(set, i, casts)].program,
+        if (are_alike(set, surface, i, use))
+            matc_constant_block(set->programs[drawn_as(set, i, use)].program,
                                 rows + size * (size_t)set->programs[i].row);
     gl->GenBuffers(1, buffer);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
@@ -135,17 +142,17 @@ static bool make_numbers(Maker *m, int surface, bool casts, GLuint *buffer)
 }
 
 /* The buffer of a material's numbers: one for all that are drawn alike. 0: it has none. */
-static bool find_numbers(Maker *m, int surface, bool casts, GLuint *found)
+static bool find_numbers(Maker *m, int surface, CacheUse use, GLuint *found)
 {
     const Set *set = m->source->set;
     int first = 0;
     *found = 0;
-    if (!m->cache->instances || !matc_constant_count(set->programs[drawn_as(set, surface, casts)].program))
+    if (!m->cache->instances || !matc_constant_count(set->programs[drawn_as(set, surface, use)].program))
         return true;
-    while (!are_alike(set, surface, first, casts))
+    while (!are_alike(set, surface, first, use))
         first++;
-    GLuint *numbers = &m->cache->numbers[drawn_as(set, first, casts)];
-    const bool done = *numbers || make_numbers(m, surface, casts, numbers);
+    GLuint *numbers = &m->cache->numbers[drawn_as(set, first, use)];
+    const bool done = *numbers || make_numbers(m, surface, use, numbers);
     *found = *numbers;
     return done;
 }
@@ -175,24 +182,29 @@ static int add_kind(Maker *m, const SetProgram *program, const CacheKind *kind, 
     return (*to->count)++;
 }
 
-static int make_kind(Maker *m, const SetProgram *surface, bool casts, const Kinds *to)
+static int make_kind(Maker *m, const SetProgram *surface, CacheUse use, const Kinds *to)
 {
     const Set *set = m->source->set;
     const int number = (int)(surface - set->programs);
-    const SetProgram *program = &set->programs[drawn_as(set, number, casts)];
+    const SetProgram *program = &set->programs[drawn_as(set, number, use)];
     CacheKind kind = {.transparent = surface->transparent};
-    if (!find_numbers(m, number, casts, &kind.numbers) || !make_material(m, program, casts, &kind.material))
+    if (!find_numbers(m, number, use, &kind.numbers) || !make_material(m, program, use, &kind.material))
         return -1;
     return add_kind(m, program, &kind, to);
 }
 
-/* How an object of that material casts shadows. */
-static bool find_caster(Maker *m, int material, const SetProgram *surface)
+/* With what an object of that material is drawn otherwise. */
+static bool find_uses(Maker *m, int material, const SetProgram *surface)
 {
     Cache *cache = m->cache;
     const Kinds casters = {cache->casters, &cache->caster_count, &m->casters};
-    m->caster_of[material] = surface->caster < 0 ? -1 : make_kind(m, surface, true, &casters);
-    return surface->caster < 0 || m->caster_of[material] >= 0;
+    bool fine = true;
+    for (int use = 0; fine && use < CACHE_USES; use++) {
+        const bool none = drawn_as(m->source->set, (int)(surface - m->source->set->programs), (CacheUse)use) < 0;
+        m->used_as[use][material] = none ? -1 : make_kind(m, surface, (CacheUse)use, &casters);
+        fine = none || m->used_as[use][material] >= 0;
+    }
+    return fine;
 }
 
 /* The place of an object's kind among the cache's, or -1. Without instances each object has its own, for its matrices. */
@@ -204,9 +216,9 @@ static int kind_of(Maker *m, int material)
     if (cache->instances && m->kind_of[material] >= 0)
         return m->kind_of[material];
     m->row_of[material] = program->row;
-    if (!find_caster(m, material, program))
+    if (!find_uses(m, material, program))
         return -1;
-    return m->kind_of[material] = make_kind(m, program, false, &kinds);
+    return m->kind_of[material] = make_kind(m, program, CACHE_USE_seen, &kinds);
 }
 
 static bool add_surface(Maker *m, int number)
@@ -219,7 +231,8 @@ static bool add_surface(Maker *m, int number)
     if (place.mesh < 0)
         return false;
     place.row = m->row_of[object->material];
-    place.caster = m->caster_of[object->material];
+    place.caster = m->used_as[CACHE_USE_cast][object->material];
+    place.cut = m->used_as[CACHE_USE_cut][object->material];
     place.even = surface->even ? surface->through : NULL;
     place.program = m->cache->kinds[place.kind].material.program->name;
     place.transparent = m->cache->kinds[place.kind].transparent;
@@ -236,7 +249,7 @@ static bool add_plane(Maker *m, int number)
     plane->object = number;
     plane->transparent = program->transparent;
     plane->program = program;
-    if (!make_material(m, program, false, &plane->material))
+    if (!make_material(m, program, CACHE_USE_seen, &plane->material))
         return false;
     m->cache->plane_count++;
     m->cache->opaque_plane_count += !plane->transparent;
@@ -262,7 +275,7 @@ static bool make_sky(Maker *m)
     const int sky = m->source->scene->sky;
     SetProgram program = sky < 0 ? (SetProgram){.material = -1} : *set_find(m->source->set, sky, "sky");
     program.transparent = false; /* nothing is behind it */
-    cache->has_sky = sky >= 0 && make_material(m, &program, false, &cache->sky);
+    cache->has_sky = sky >= 0 && make_material(m, &program, CACHE_USE_seen, &cache->sky);
     return sky < 0 || cache->has_sky;
 }
 
@@ -274,7 +287,7 @@ static bool make_room(Maker *m)
     const size_t kinds = cache->instances ? materials : objects;
     cache->number_count = m->source->set->count;
     cache->kinds = calloc(kinds, sizeof *cache->kinds);
-    cache->casters = calloc(kinds, sizeof *cache->casters);
+    cache->casters = calloc(CACHE_USES * kinds, sizeof *cache->casters);
     cache->numbers = calloc((size_t)cache->number_count + 1, sizeof *cache->numbers);
     cache->meshes = calloc(objects, sizeof *cache->meshes);
     cache->boxes = calloc(objects, sizeof *cache->boxes);
@@ -290,14 +303,16 @@ static bool make_room(Maker *m)
     cache->mesh_keys = m->meshes.keys = calloc(objects, sizeof *m->meshes.keys);
     m->file_keys = calloc((size_t)scene->mesh_count + 1, sizeof *m->file_keys);
     m->kinds.keys = calloc(kinds, sizeof *m->kinds.keys);
-    m->casters.keys = calloc(kinds, sizeof *m->casters.keys);
+    m->casters.keys = calloc(CACHE_USES * kinds, sizeof *m->casters.keys);
     m->kind_of = calloc(materials, sizeof *m->kind_of);
     m->row_of = calloc(materials, sizeof *m->row_of);
-    m->caster_of = calloc(materials, sizeof *m->caster_of);
+    m->used_as[0] = calloc(CACHE_USES * materials, sizeof *m->used_as[0]);
+    for (int use = 1; use < CACHE_USES; use++)
+        m->used_as[use] = m->used_as[0] + (m->used_as[0] ? materials * (size_t)use : 0);
     return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->displaced &&
             cache->places && cache->place_of && cache->surfaces && cache->planes && cache->list && cache->seen_list &&
             cache->order && cache->cast_order && m->meshes.keys && m->kinds.keys && m->casters.keys && m->kind_of &&
-            m->row_of && m->caster_of && m->file_keys) ||
+            m->row_of && m->used_as[0] && m->file_keys) ||
            gl_fail(m->gl, "out of memory");
 }
 
@@ -311,7 +326,7 @@ static void forget(Maker *m)
     free(m->file_keys);
     free(m->kind_of);
     free(m->row_of);
-    free(m->caster_of);
+    free(m->used_as[0]);
 }
 
 /* Meshes find the numbers of instances in the list. */

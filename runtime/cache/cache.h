@@ -9,6 +9,9 @@
 #include "runtime/displace/displaced.h"
 #include "runtime/gl/mesh.h"
 
+/* Into what a surface is drawn by programs of its material: into shadow maps, into voxels; into the picture. */
+typedef enum { CACHE_USE_cast, CACHE_USE_cut, CACHE_USES, CACHE_USE_seen = CACHE_USES } CacheUse;
+
 /* Materials that are drawn alike but for their numbers: one program, the same textures and uniforms. */
 typedef struct {
     Material material; /* without instances: with an object's matrices */
@@ -30,6 +33,7 @@ typedef struct {
     int object;          /* in Scene.objects */
     int kind, mesh, row; /* `row`: of the kind's numbers */
     int caster; /* in Cache.casters: with what it is drawn into shadow maps; -1: by depth alone, or it casts none */
+    int cut; /* in Cache.casters: with what it is drawn into voxels, of which it fills some, as it is cut out; -1: it is not */
     GLuint program;
     bool transparent, mirrored;
     const float *even; /* what it lets through, if that is the same everywhere; else NULL */
@@ -54,8 +58,8 @@ typedef struct {
     bool instances; /* objects are drawn as instances */
     CacheKind *kinds;
     int kind_count;
-    CacheKind
-        *casters; /* programs that draw into shadow maps, of what is transparent; the numbers by the rows of its kind */
+    CacheKind *
+        casters; /* programs that draw into shadow maps and voxels, of what is transparent; the numbers by the rows of its kind */
     int caster_count;
     GLuint *numbers; /* by program of the set: a buffer, or 0 */
     int number_count;
@@ -131,11 +135,12 @@ typedef struct {
     int number;                 /* of its map: the uniform glass_map of programs that color shadows */
     const unsigned char *waves; /* by place: those are drawn that have the number `wave`; NULL: all are */
     int wave;
+    bool cut;     /* draws what is cut out, by programs of its own, or in place of these by `kept` */
     bool varying; /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
 } CacheLight;
 
 /* Sorts what casts shadows. cache_cast.c, as is what follows. */
 bool cache_arrange_casters(GlContext *gl, Cache *cache);
-/* Draws what casts shadows: what is opaque by depth alone, or all else by its caster. */
+/* Draws what casts shadows: what is opaque by depth alone, or all else by its caster; or what is cut out. */
 void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light, bool transparent);
 #endif

@@ -5,7 +5,7 @@
 
 /* A place, with what it is sorted by. */
 typedef struct {
-    int caster, mesh, mirrored;
+    int caster, cut, mesh, mirrored;
     uint32_t place;
 } Cast;
 
@@ -14,6 +14,8 @@ static int compare(const void *a, const void *b)
     const Cast *x = a, *y = b;
     if (x->caster != y->caster)
         return x->caster < y->caster ? -1 : 1;
+    if (x->cut != y->cut)
+        return x->cut < y->cut ? -1 : 1;
     if (x->mesh != y->mesh)
         return x->mesh < y->mesh ? -1 : 1;
     if (x->mirrored != y->mirrored)
@@ -24,7 +26,7 @@ static int compare(const void *a, const void *b)
 static Cast cast_of(const Cache *cache, uint32_t number)
 {
     const CachePlace *place = &cache->places[number];
-    return (Cast){place->caster, place->mesh, place->mirrored, number};
+    return (Cast){place->caster, place->cut, place->mesh, place->mirrored, number};
 }
 
 bool cache_arrange_casters(GlContext *gl, Cache *cache)
@@ -34,13 +36,18 @@ bool cache_arrange_casters(GlContext *gl, Cache *cache)
         return gl_fail(gl, "out of memory");
     cache->cast_count = 0;
     for (int i = 0; i < cache->place_count; i++)
-        if (!cache->places[i].transparent || cache->places[i].caster >= 0)
+        if (!cache->places[i].transparent || cache->places[i].caster >= 0 || cache->places[i].cut >= 0)
             casts[cache->cast_count++] = cast_of(cache, (uint32_t)i);
     qsort(casts, (size_t)cache->cast_count, sizeof *casts, compare);
     for (int i = 0; i < cache->cast_count; i++)
         cache->cast_order[i] = casts[i].place;
     free(casts);
     return true;
+}
+
+static bool is_wanted(const CachePlace *place, const CacheLight *light, bool transparent)
+{
+    return light->cut ? place->cut >= 0 : place->transparent == transparent && (!transparent || place->caster >= 0);
 }
 
 /* Lists the places that the light sees, in the order of drawing. So many. */
@@ -50,8 +57,8 @@ static int list_seen(const CacheSource *source, Cache *cache, const CacheLight *
     int count = 0;
     for (int i = 0; i < cache->cast_count; i++) {
         const CachePlace *place = &cache->places[cache->cast_order[i]];
-        if (place->transparent == transparent && (!light->waves || light->waves[cache->cast_order[i]] == light->wave) &&
-            !(light->varying && place->even) &&
+        if (is_wanted(place, light, transparent) &&
+            (!light->waves || light->waves[cache->cast_order[i]] == light->wave) && !(light->varying && place->even) &&
             cull_sees(light->volume, &cache->boxes[place->mesh],
                       &source->scene->objects[place->object].world_from_local))
             list[count++] = cache->cast_order[i];
@@ -89,8 +96,8 @@ static int group_of(const Cache *cache, const uint32_t *list, int count, bool by
     int group = 1;
     for (; group < count && cache->instances; group++) {
         const Cast next = cast_of(cache, list[group]);
-        if (next.caster != head.caster || next.mesh != head.mesh || next.mirrored != head.mirrored ||
-            (by_kind && cache->places[list[group]].kind != kind))
+        if (next.caster != head.caster || next.cut != head.cut || next.mesh != head.mesh ||
+            next.mirrored != head.mirrored || (by_kind && cache->places[list[group]].kind != kind))
             break;
     }
     return group;
@@ -124,9 +131,8 @@ void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const Ca
         write_buffers(gl, cache, &spaces, count);
     for (int i = 0, group; i < count; i += group) {
         const CachePlace *place = &cache->places[list[i]];
-        CacheKind *caster = light->kept         ? &cache->kinds[place->kind]
-                            : place->caster < 0 ? NULL
-                                                : &cache->casters[place->caster];
+        const int number = light->cut ? place->cut : place->caster;
+        CacheKind *caster = light->kept ? &cache->kinds[place->kind] : number < 0 ? NULL : &cache->casters[number];
         Material *material = light->kept ? &light->kept[place->kind] : caster ? &caster->material : light->solid;
         group = group_of(cache, list + i, count - i, light->kept != NULL);
         if (material != before || !cache->instances)

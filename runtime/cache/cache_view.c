@@ -206,6 +206,7 @@ bool cache_set(const CacheSource *source, Cache *cache, int material, const Mate
             const CachePlace *place = &cache->places[i];
             found |= material_set(&cache->kinds[place->kind].material, value);
             found |= place->caster >= 0 && material_set(&cache->casters[place->caster].material, value);
+            found |= place->cut >= 0 && material_set(&cache->casters[place->cut].material, value);
         }
     for (int i = 0; i < cache->plane_count; i++)
         if (scene->objects[cache->planes[i].object].material == material)

@@ -115,6 +115,7 @@ static bool add_program(Maker *m, int material, const char *pass)
                             .text = set->count,
                             .next = -1,
                             .caster = -1,
+                            .cut = -1,
                             .other = set->of_material[material]};
     set->of_material[material] = ++set->count;
     if (!compile(m, program, MATC_KEY))
@@ -154,19 +155,33 @@ static bool add_caster(Maker *m, int number)
     Set *set = m->set;
     SetProgram *surface = &set->programs[number];
     const bool plane = !strcmp(surface->pass, "plane");
-    if (!set->casts || !surface->transparent || casts_by_numbers(m, surface) || (plane && !has_images(m->gl)))
+    if (!set->uses.casts || !surface->transparent || casts_by_numbers(m, surface) || (plane && !has_images(m->gl)))
         return true;
     surface->caster = set->count;
     if (plane)
         return make_sheet_layout(m) && add_program(m, surface->material, SET_SHEET);
-    return add_program(m, surface->material, set->casts == SET_CASTS_colored ? "value" : "shadow");
+    return add_program(m, surface->material, set->uses.casts == SET_CASTS_colored ? "value" : "shadow");
 }
+
+/* What casts all or nothing has that program already. */
+static bool add_cut(Maker *m, int number)
+{
+    Set *set = m->set;
+    SetProgram *surface = &set->programs[number];
+    const bool plane = !strcmp(surface->pass, "plane");
+    if (!set->uses.cuts || !surface->transparent || surface->even || plane)
+        return true;
+    surface->cut = set->uses.casts == SET_CASTS_cut && surface->caster >= 0 ? surface->caster : set->count;
+    return surface->cut < set->count || add_program(m, surface->material, "shadow");
+}
+
+static bool add_uses(Maker *m, int number) { return add_caster(m, number) && add_cut(m, number); }
 
 static bool add_programs(Maker *m)
 {
     const Scene *scene = m->scene;
     bool fine = true;
-    m->set->programs = calloc(4 * (size_t)scene->material_count + 2, sizeof *m->set->programs);
+    m->set->programs = calloc(5 * (size_t)scene->material_count + 2, sizeof *m->set->programs);
     m->set->of_material = calloc((size_t)scene->material_count + 1, sizeof *m->set->of_material);
     if (!m->set->programs || !m->set->of_material)
         return gl_fail(m->gl, "out of memory");
@@ -175,7 +190,7 @@ static bool add_programs(Maker *m)
         const SceneObject *object = &scene->objects[i];
         bool *known = &met[2 * object->material + (object->kind == SCENE_Plane)];
         if (!*known)
-            fine = add_program(m, object->material, pass_of(object)) && add_caster(m, m->set->count - 1);
+            fine = add_program(m, object->material, pass_of(object)) && add_uses(m, m->set->count - 1);
         *known = true;
     }
     free(met);
@@ -320,10 +335,10 @@ static bool make(Maker *m)
     return true;
 }
 
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, SetCasts casts, Set *made)
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, SetUses uses, Set *made)
 {
     Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
-    *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330", .casts = casts};
+    *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330", .uses = uses};
     maker.options.slot = "transparency"; /* of the pass value */
     made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
     maker.options.target = made->target;
@@ -347,51 +362,4 @@ void set_free(Set *set)
     matc_layout_free(set->layout);
     matc_layout_free(set->sheet);
     *set = (Set){0};
-}
-
-const SetProgram *set_find(const Set *set, int material, const char *pass)
-{
-    int number = set->of_material[material];
-    while (number && strcmp(set->programs[number - 1].pass, pass) != 0)
-        number = set->programs[number - 1].other;
-    return number ? &set->programs[number - 1] : NULL;
-}
-
-int set_rows(const Set *set, int text)
-{
-    int rows = 0;
-    for (int i = text; i >= 0; i = set->programs[i].next)
-        rows++;
-    return rows;
-}
-
-const char *set_vertex(const Set *set, const SetProgram *program)
-{
-    return matc_output(set->programs[program->text].program, MATC_VERTEX, NULL);
-}
-
-const char *set_fragment(const Set *set, const SetProgram *program)
-{
-    return matc_output(set->programs[program->text].program, MATC_FRAGMENT, NULL);
-}
-
-const char *set_format(const Set *set, int target)
-{
-    for (int i = 0; i < set->count; i++)
-        if (strcmp(set->programs[i].pass, "sky") != 0)
-            return target < matc_target_count(set->programs[i].program)
-                       ? matc_target_format(set->programs[i].program, target)
-                       : NULL;
-    return NULL;
-}
-
-const LayoutRow *set_layout(const Set *set, const MatcOptions *compile_options)
-{
-    const MatcLayout *custom = set->layout ? set->layout : compile_options->custom;
-    if (custom)
-        return custom->row;
-    for (int i = 0; compile_options->layout && i < LAYOUT_COUNT; i++)
-        if (!strcmp(layout_table[i].name, compile_options->layout))
-            return &layout_table[i];
-    return &layout_table[LAYOUT_compact]; /* the default of the targets here */
 }

@@ -13,6 +13,7 @@ typedef struct {
     const char *pass; /* "gbuffer", "plane", "sky"; what casts shadows: "shadow", "value", and of planes SET_SHEET */
     bool transparent; /* at least in places */
     int caster; /* the program with which it casts shadows; -1: none of its own. Of a plane: where its transparency varies */
+    int cut; /* the program that leaves out where it lets more than half of the light through, the pass "shadow"; -1: none */
     MatcProgram *program; /* its numbers, textures and uniforms */
     int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
     int next;             /* that is drawn with it; -1: none */
@@ -29,6 +30,12 @@ typedef enum {
     SET_CASTS_colored /* by what it lets through */
 } SetCasts;
 
+/* What programs there are beside those that draw what is seen. */
+typedef struct {
+    SetCasts casts;
+    bool cuts; /* voxels are made: of surfaces whose transparency varies, what is cut away is asked for */
+} SetUses;
+
 typedef struct {
     MatcLayout *layout; /* NULL: a named one */
     MatcLayout *sheet;  /* of the pass SET_SHEET: three floats, what is let through; NULL: nothing is drawn with it */
@@ -38,13 +45,13 @@ typedef struct {
     int *of_material; /* the last program of each, from 1; 0: none */
     int count;
     int texts; /* so many different ones */
-    SetCasts casts;
+    SetUses uses;
     bool instances; /* programs of surfaces draw instances (instances.h) */
 } Set;
 
 /* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials. Transparent materials of surfaces have
- * programs that cast shadows so. False: see gl->error. *made is empty then. */
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, SetCasts casts, Set *made);
+ * programs for these uses. False: see gl->error. *made is empty then. */
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, SetUses uses, Set *made);
 void set_free(Set *set);
 
 /* Puts the place and the name of a material before what gl->error says of it. False. */

@@ -14,7 +14,8 @@
 #include <stdio.h>
 #include <string.h>
 
-extern const char render_text_lists_store[], render_text_peel_layer[], render_text_glass_store[];
+extern const char render_text_lists_store[], render_text_peel_layer[], render_text_glass_store[],
+    render_text_voxel_touch[];
 
 /* How what a fragment program gives a target becomes words, and these a texel: %1$d is the target, %2$d its first word. */
 static const struct {
@@ -142,10 +143,21 @@ void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *pr
     memcpy(program->vertex, vertex_pieces, sizeof vertex_pieces);
 }
 
-void transparency_wrap_caster(const GlContext *gl, ProgramText *program)
+/* What images and buffers are written by. */
+static void wrap_end(const GlContext *gl, const char *defined, const char *end, ProgramText *program)
 {
     const bool modern = gl->major * 10 + gl->minor >= 45;
     const char *const pieces[] = {modern ? "#version 450 core\n" : "#version 430 core\n", "#define main surfaceMain\n",
-                                  without_version(program->fragment[0]), "#undef main\n", render_text_glass_store};
+                                  without_version(program->fragment[0]), defined, end};
     memcpy(program->fragment, pieces, sizeof pieces);
+}
+
+void transparency_wrap_caster(const GlContext *gl, ProgramText *program)
+{
+    wrap_end(gl, "#undef main\n", render_text_glass_store, program);
+}
+
+void transparency_wrap_cut(const GlContext *gl, ProgramText *program)
+{
+    wrap_end(gl, "#undef main\n#define VOXEL_CUT\n", render_text_voxel_touch, program);
 }

@@ -34,6 +34,9 @@ void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *pr
 /* Puts a program that gives what a surface lets through before what keeps that for shadow maps (glass_store.glsl). */
 void transparency_wrap_caster(const GlContext *gl, ProgramText *program);
 
+/* Puts a program that leaves out what is cut away before what sets bits of voxels (voxel_touch.glsl). */
+void transparency_wrap_cut(const GlContext *gl, ProgramText *program);
+
 /* Words that a fragment takes in a list. */
 int transparency_stride(const Set *set);
 /* GLSL for who reads the lists: LISTS_STRIDE, and LISTS_TEXELS, what unpackTexels takes of the node at `node`. */

@@ -3,13 +3,22 @@
 #include "runtime/render/frame.h"
 #include <string.h>
 
+/* Also before the cache is made. */
+static bool has_objects(const Scene *scene)
+{
+    int i = 0;
+    while (i < scene->object_count && scene->objects[i].kind == SCENE_Plane)
+        i++;
+    return i < scene->object_count;
+}
+
 Word indirect_method(const Render *render)
 {
     const Word method = render->scene->indirect.method;
     if (method != WORD_Indirect_auto)
         return method;
-    return transparency_has_lists(render->gl) && render->cache.place_count ? WORD_Indirect_hybrid
-                                                                           : WORD_Indirect_screen;
+    return transparency_has_lists(render->gl) && has_objects(render->scene) ? WORD_Indirect_hybrid
+                                                                            : WORD_Indirect_screen;
 }
 
 bool indirect_is(const Render *render)

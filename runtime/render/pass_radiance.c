@@ -1,4 +1,4 @@
-/* The pass radiance: what surfaces send of the light of lamps, by voxel and side: radiance.h. Opaque objects are drawn from six sides by their own programs, three times each: which
+/* The pass radiance: what surfaces send of the light of lamps, by voxel and side: radiance.h. Objects that fill voxels are drawn from six sides by their own programs, three times each: which
  * nodes there are, what is nearest in each, what its surface is; then all nodes are lit. */
 #include "runtime/render/frame.h"
 
@@ -16,7 +16,7 @@ static void clip_of(const Render *render, int side, double clip[16])
 }
 
 /* Axes that follow each other, with depth away from the eye, are as in a mirror. */
-static void cast(Render *render, int side, RadianceCast kind)
+static void cast(Render *render, int side, RadianceCast kind, bool cut)
 {
     static const CullVolume all = {.count = 0};
     const CacheSource source = frame_source(render);
@@ -28,7 +28,8 @@ static void cast(Render *render, int side, RadianceCast kind)
                              .mirrored = side % 2 == 0,
                              .kept = render->radiance.keepers,
                              .waves = render->radiance.casts,
-                             .wave = kind},
+                             .wave = kind,
+                             .cut = cut},
                false);
 }
 
@@ -63,7 +64,9 @@ static void draw_surfaces(Render *render, int step)
         for (int kind = 0; kind < RADIANCE_CASTS; kind++) {
             tell(render, "radiance_body", kind == RADIANCE_body);
             (kind == RADIANCE_surface ? gl->Disable : gl->Enable)(GL_CULL_FACE);
-            cast(render, side, kind);
+            cast(render, side, kind, false);
+            if (kind == RADIANCE_surface)
+                cast(render, side, kind, true);
         }
     }
     gl->Disable(GL_CULL_FACE);

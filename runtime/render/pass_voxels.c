@@ -133,18 +133,21 @@ static void use_layers(const Render *render, GLuint texture, int level, int firs
     gl->Viewport(0, 0, size, size);
 }
 
-/* Draws the objects of a wave, seen along an axis. */
+/* Draws the objects of a wave, seen along an axis; without a material what is cut out, by its own. */
 static void cast(Render *render, int axis, int wave, Material *material)
 {
     static const CullVolume all = {.count = 0};
     const CacheSource source = frame_source(render);
     double clip[16];
     voxel_grid_clip(&render->voxels.grid, axis, render->zero_to_one, clip);
-    cache_cast(
-        render->gl, &source, &render->cache,
-        &(CacheLight){
-            .clip_from_world = clip, .volume = &all, .solid = material, .waves = render->voxels.waves, .wave = wave},
-        false);
+    cache_cast(render->gl, &source, &render->cache,
+               &(CacheLight){.clip_from_world = clip,
+                             .volume = &all,
+                             .solid = material,
+                             .waves = render->voxels.waves,
+                             .wave = wave,
+                             .cut = !material},
+               false);
 }
 
 static void draw_within(Render *render, int wave)
@@ -161,6 +164,14 @@ static void draw_within(Render *render, int wave)
     cast(render, 2, wave, &voxels->flip);
     gl->LogicOp(GL_COPY);
     gl->Disable(GL_COLOR_LOGIC_OP);
+}
+
+static void tell_cut(Render *render, int axis)
+{
+    const Cache *cache = &render->cache;
+    for (int i = 0; i < cache->place_count; i++)
+        if (cache->places[i].cut >= 0)
+            material_set_number(&cache->casters[cache->places[i].cut].material, "voxel_axis", (float)axis);
 }
 
 static void draw_surface(Render *render)
@@ -182,6 +193,8 @@ static void draw_surface(Render *render)
     for (int axis = 0; axis < 3; axis++) {
         material_set_number(&voxels->touch, "voxel_axis", (float)axis);
         cast(render, axis, 0, &voxels->touch);
+        tell_cut(render, axis);
+        cast(render, axis, 0, NULL);
     }
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
@@ -283,6 +296,13 @@ void pass_voxels_bind(const Render *render, int unit)
 {
     render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
     render->gl->BindTexture(GL_TEXTURE_BUFFER, render->voxels.words);
+}
+
+void pass_voxels_forget(Render *render)
+{
+    for (int i = 0; i < render->cache.place_count; i++)
+        render->voxels.drawn &= render->cache.places[i].cut < 0;
+    render->radiance.drawn = false;
 }
 
 bool pass_voxels_change(Render *render)

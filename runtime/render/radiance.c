@@ -20,7 +20,7 @@ int radiance_texels(const Render *render) { return render->scene->indirect.bounc
 
 /* -- programs */
 
-/* Of each kind that is opaque, once. */
+/* Of each kind that fills voxels, once. */
 static bool make_keepers(Render *render)
 {
     const Cache *cache = &render->cache;
@@ -38,7 +38,7 @@ static bool make_keepers(Render *render)
         const CachePlace *place = &cache->places[i];
         const int material = render->scene->objects[place->object].material;
         const SetProgram *program = set_find(set, material, "gbuffer");
-        if (place->transparent || radiance->keepers[place->kind].store)
+        if (!voxels_have(place) || radiance->keepers[place->kind].store)
             continue;
         ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
         transparency_wrap(around, false, &text);
@@ -151,7 +151,7 @@ void radiance_sort(Render *render)
 {
     const Cache *cache = &render->cache;
     for (int i = 0; i < cache->place_count; i++) {
-        const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid;
+        const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid && cache->places[i].cut < 0;
         render->radiance.casts[i] = render->voxels.waves[i] ? RADIANCE_body
                                     : closed                ? RADIANCE_closed
                                                             : RADIANCE_surface;

@@ -3,6 +3,9 @@
 //
 // Where bodies cross, surfaces of one lie within the other: no ray should meet their nodes, and rays from them may get out on its other side. Of a body the first voxel before the
 // surface along the axis has its middle outside of it, and is full only if another body has it there; of a surface that is the one before its own.
+//
+// Of a cut-out, whether a voxel is full was asked at points, and its node has means over a voxel: it counts unless it is cut away nearly whole.
+const float RADIANCE_AWAY = 0.99;
 uniform int radiance_size, radiance_shift;
 uniform mat4 radiance_eye; // the eye's space from voxels
 
@@ -34,6 +37,11 @@ void main()
     if (number >= radiance_count) return;
     vec3 place = radiancePlace(node, radiance_size), normal = vec3(0.0);
     Surface surface = unpackTexels(LISTS_TEXELS);
+    bool away = false;
+#ifdef SURFACE_HAS_transparency
+    away = dot(surface.transparency, vec3(1.0 / 3.0)) > RADIANCE_AWAY;
+    surface.transparency = vec3(0.0); // what is left of it
+#endif
     normal[int(radiance_nodes[node] & 7u) >> 1] = (radiance_nodes[node] & 1u) == 1u ? 1.0 : -1.0;
 #ifdef SURFACE_HAS_normal
     normal = surface.normal;
@@ -43,7 +51,7 @@ void main()
     Seen seen = Seen(ivec2(0), (radiance_eye * vec4(place, 1.0)).xyz, pixel * length(radiance_eye[0].xyz),
                      surfaceMatt(surfaceLit(surface, turned)));
     vec3 light = (lightIsFirst() ? lightEven(seen) : radiance_texels[first].xyz) + lightFromAll(seen);
-    radiance_texels[first] = vec4(light, radianceIsBuried(node, place) ? -1.0 : radianceDirection(normal));
+    radiance_texels[first] = vec4(light, away || radianceIsBuried(node, place) ? -1.0 : radianceDirection(normal));
     radiance_texels[first + 1u] = vec4(vec3(0.0), dot(normal, place));
 #if RADIANCE_TEXELS > 2
     radiance_texels[first + 2u] = vec4(surfaceEven(seen.m), 0.0);

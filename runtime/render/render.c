@@ -132,7 +132,8 @@ static void look(Render *render)
 
 static bool make_set(Render *render, const Scene *scene)
 {
-    if (!set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set))
+    const SetUses uses = {shadow_casts(render), pass_voxels_needed(render) && transparency_has_lists(render->gl)};
+    if (!set_make(render->gl, scene, &render->compile, uses, &render->set))
         return false;
     const LayoutRow *layout =
         render->set.unpack ? set_layout(&render->set, &render->compile) : NULL; /* a sky alone has no surface */
@@ -141,7 +142,7 @@ static bool make_set(Render *render, const Scene *scene)
     surface_model_define(scene_models(scene), render->surface_lacks);
     for (int i = 0; render->options.opaque && i < render->set.count; i++) {
         render->set.programs[i].transparent = false;
-        render->set.programs[i].caster = -1;
+        render->set.programs[i].caster = render->set.programs[i].cut = -1;
     }
     return true;
 }
@@ -247,8 +248,10 @@ bool render_changed(Render *render, unsigned what)
         return false;
     if (what & RENDER_LIGHTS && !render_lights_kept(render))
         return render_changed_meshes(render);
-    if (what & RENDER_TIME) /* cut-outs may be others */
+    if (what & RENDER_TIME) { /* cut-outs may be others */
         render->uncounted = true, render->shadows.drawn = false;
+        pass_voxels_forget(render);
+    }
     if (what & (RENDER_CAMERA | RENDER_TIME)) {
         look(render);
         const CacheSource source = frame_source(render);

@@ -47,6 +47,7 @@ bool render_param(Render *render, int material, const char *name, const float *l
         return gl_fail(render->gl, "there is no scene to change");
     render->uncounted = true; /* a cut-out may be another */
     render->shadows.drawn = false;
+    pass_voxels_forget(render);
     const MaterialValue value = {name, count, lanes};
     if (!set(render, material, &value))
         return gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);

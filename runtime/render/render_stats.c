@@ -164,10 +164,10 @@ static void put_unshadowed(Text *out, const Render *render)
         return;
     if (lacks_sheets(render))
         text_put(out, "shadow    planes whose transparency varies cast none: it takes OpenGL 4.3\n");
-    if (volume_lights_cast(render) && render->set.casts != SET_CASTS_colored && is_transparent(render))
+    if (volume_lights_cast(render) && render->set.uses.casts != SET_CASTS_colored && is_transparent(render))
         text_format(out, "shadow    what is transparent casts none in hybrid light%s\n",
                     render->scene->shadow_colored ? ": it takes OpenGL 4.3" : ", as shadows are not colored");
-    if (render->cache.caster_count && render->scene->shadow_colored && render->set.casts != SET_CASTS_colored)
+    if (render->cache.caster_count && render->scene->shadow_colored && render->set.uses.casts != SET_CASTS_colored)
         text_put(out, "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
 }
 

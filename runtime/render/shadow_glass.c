@@ -7,7 +7,7 @@ enum { COLUMN, ROW, COLUMNS, ROWS, TEXELS, ROOM, SIZE, COUNT, HEADS, NODE = 4 };
 
 bool shadow_glass_needed(const Render *render)
 {
-    return render->cache.caster_count && render->set.casts == SET_CASTS_colored;
+    return render->cache.caster_count && render->set.uses.casts == SET_CASTS_colored;
 }
 
 ShadowPart shadow_glass_whole(const Render *render)

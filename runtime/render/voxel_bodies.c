@@ -191,7 +191,7 @@ bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels)
 bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave)
 {
     for (int i = 0; i < cache->place_count; i++)
-        if (!cache->places[i].transparent && voxels->waves[i] == wave)
+        if (voxels_have(&cache->places[i]) && voxels->waves[i] == wave)
             return true;
     return false;
 }

@@ -20,11 +20,13 @@ void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, Vox
     }
 }
 
+bool voxels_have(const CachePlace *place) { return !place->transparent || place->cut >= 0; }
+
 static VoxelRange range_of(const Scene *scene, const Cache *cache)
 {
     VoxelRange range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (int i = 0; i < cache->place_count; i++)
-        if (!cache->places[i].transparent)
+        if (voxels_have(&cache->places[i]))
             voxel_grid_add(&cache->boxes[cache->places[i].mesh],
                            &scene->objects[cache->places[i].object].world_from_local, &range);
     if (!(range.low[0] <= range.high[0]))

@@ -17,7 +17,7 @@ typedef struct {
     int size;            /* voxels along an edge of the whole */
 } VoxelGrid;
 
-/* Around what is opaque; without any: around the origin. voxel_grid.c, as is what follows. */
+/* Around what fills voxels; without any: around the origin. voxel_grid.c, as is what follows. */
 VoxelGrid voxel_grid(const Scene *scene, const Cache *cache);
 /* Clip space from the world: z is depth along an axis (0 to 2, x to z), x and y the axes behind it in turn: 1 has z and x. */
 void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double clip[16]);
@@ -58,12 +58,14 @@ bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels);
 /* What an opaque place of the cache is: a body; or a surface, and why: its mesh is open, it is too thin, it crosses too many others. */
 typedef enum { VOXEL_body, VOXEL_open, VOXEL_thin, VOXEL_crossing, VOXEL_KINDS } VoxelKind;
 VoxelKind voxel_bodies_kind(const Render *render, int place);
-/* Something opaque is in that wave. */
+/* Something that fills voxels is in that wave. */
 bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave);
 
 bool pass_voxels_needed(const Render *render);
 bool pass_voxels_make(Render *render);
 void pass_voxels_draw(Render *render);
+/* Materials are others, and with them what is cut out. */
+void pass_voxels_forget(Render *render);
 /* Objects have moved: they may be too far out, or too small, for the voxels that there are. */
 bool pass_voxels_change(Render *render);
 /* Tells a pass that has voxel_map.glsl in its text which unit the words are bound to, and where the eye is in them: when it is made, and when the camera or
@@ -74,6 +76,9 @@ void pass_voxels_delete(Render *render);
 
 /* Of a view "voxels", or "voxels1" and so on, of a level above; -1: it is another, or none. voxels.c */
 int voxels_view_level(const char *view);
+
+/* A place of the cache fills voxels: it is opaque, or cut out. voxel_grid.c */
+bool voxels_have(const CachePlace *place);
 
 /* Lines on them, for --stats. */
 void voxels_put(Text *out, const Render *render);
