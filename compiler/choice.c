@@ -209,6 +209,7 @@ const char *choice_job(const MatcOptions *o, Job *job)
                  .from_buffer = o->constants && !strcmp(o->constants, "uniform")};
     job->moved = o->moved;
     job->instances = o->instances && target_table[target].storage && job->pass != PASS_plane && job->pass != PASS_sky;
+    job->cases = o->cases;
     job->layout = o->custom ? o->custom->row : &layout_table[index_or(o, "layout", target_table[target].layout)];
     for (int axis = 0; axis < AXIS_COUNT; axis++)
         job->choice[axis] = (Choice)choose(o, (Axis)axis, &(ChoiceSource){0});

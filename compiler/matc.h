@@ -83,6 +83,8 @@ typedef struct {
     double time; /* seconds: the time at which matc_move moves; programs have it by a uniform */
     const char *const *include; /* folders of files that `include:` does not find beside a document; after them come those of matc itself */
     int include_count;
+    unsigned cases; /* of the layout, 1 << matc_case of each program: MATC_UNPACK reads back what those pack, and its Surface has no slot that none of
+                       them gives. 0: all cases, so that it stays the same whatever a set holds */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);
@@ -219,6 +221,8 @@ MATC_API const MatcTexture *matc_texture(MatcProgram *program, int index);
 /* Render targets of the passes gbuffer and plane; none for other passes. The format is "RGBA16F", "RGBA32UI", ...;
  * a target whose name ends in UI holds whole numbers: the shader's output and the sampler that reads it do, too. */
 MATC_API int matc_target_count(const MatcProgram *program);
+/* The number of the layout's case by which it packs, from 0, below 32; -1: its pass packs nothing. */
+MATC_API int matc_case(const MatcProgram *program);
 MATC_API const char *matc_target_format(const MatcProgram *program, int index);
 
 /* A uniform that the document's `param` made; owned by the program, but its names by the document, which must still be there. */

@@ -326,6 +326,8 @@ const MatcTexture *matc_texture(MatcProgram *p, int index)
     return &p->textures[index];
 }
 
+int matc_case(const MatcProgram *p) { return p->layout ? p->ir->layout_case : -1; }
+
 int matc_target_count(const MatcProgram *p) { return p->layout ? layout_targets(p->layout) : 0; }
 
 const char *matc_target_format(const MatcProgram *p, int index) { return format_table[p->layout->formats[index]].name; }

@@ -227,6 +227,58 @@ static void examples_keep_what_they_promise(void **state)
     assert_true(kept.values > 10000 && kept.worst > 0.5);
 }
 
+/* The text that reads back the cases in `cases` of compact, and the case that a material takes. From malloc. */
+static char *unpacking(const char *document, unsigned cases, int *taken)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.cases = cases;
+    MatcDocument *d = matc_read("test.yaml", document, strlen(document), &options);
+    MatcProgram *program = matc_compile(d, 0, MATC_UNPACK, &options);
+    assert_true(matc_ok(program));
+    *taken = matc_case(program);
+    char *text = strdup(matc_output(program, MATC_UNPACK, NULL));
+    matc_program_free(program);
+    matc_document_free(d);
+    return text;
+}
+
+/* What a set's materials do not take is not in the text that reads them back: neither code nor slots. */
+static void unpacking_holds_what_is_taken(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *document;
+        int number, share; /* its case; of all bytes, at most this percent */
+        const char *there, *gone;
+    } tries[] = {
+        {"material: Phong\ndiffuse: .5\n", 0, 30, "SURFACE_HAS_shininess", "number"},
+        {"material: Phong\ndiffuse: .5\ntransparency: .5\n", 1, 30, "SURFACE_HAS_diffuseTransparency", "SURFACE_HAS_emissive"},
+        {"material: Principled\n", 4, 30, "SURFACE_HAS_roughness", "SURFACE_HAS_shininess"},
+        {"material: Principled\nfuzz: 1\n", 9, 35, "SURFACE_HAS_fuzzColor", "SURFACE_HAS_coat"},
+    };
+    int taken;
+    char *all = unpacking(tries[0].document, 0, &taken);
+    unsigned cases = 0;
+    for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
+        char *text = unpacking(tries[i].document, 1u << tries[i].number, &taken);
+        print_message("case %d: %zu of %zu bytes\n", taken, strlen(text), strlen(all));
+        assert_int_equal(taken, tries[i].number);
+        assert_true(100 * strlen(text) < tries[i].share * strlen(all));
+        assert_non_null(strstr(text, tries[i].there));
+        assert_null(strstr(text, tries[i].gone));
+        cases |= 1u << taken;
+        free(text);
+    }
+    char *text = unpacking(tries[0].document, cases, &taken);
+    assert_non_null(strstr(text, "if (number == 0u) {"));
+    assert_non_null(strstr(text, "if (number == 4u) {")); /* the last, 9, needs no question */
+    assert_null(strstr(text, "number == 9u"));
+    assert_null(strstr(text, "coat"));
+    free(text);
+    free(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,6 +287,7 @@ int main(void)
         cmocka_unit_test(a_range_is_counted_from_its_lower_end),
         cmocka_unit_test(json_is_read_too),
         cmocka_unit_test(another_constant_is_told),
+        cmocka_unit_test(unpacking_holds_what_is_taken),
         cmocka_unit_test(examples_keep_what_they_promise),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

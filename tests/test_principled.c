@@ -250,20 +250,21 @@ static void stands_behind_unpacking(void **state)
 {
     (void)state;
     static float said[SIDE * SIDE][4];
-    static const char *const layouts[] = {"compact", "integer"};
+    static const char *const layouts[] = {"compact", "integer", "compact"}; /* the last with the one case that the material takes */
     static const char text[] = "material: Principled\nbaseColor: 1\n";
     static const char body[] = "vec4 passPixel(ivec2 p) { Surface s = unpackTexels(TEXELS); s.normal = vec3(0.0, 0.0, 1.0); s.diffuse = s.specular = vec3(1.0); "
-                               "s.metalness = 0.0; s.roughness = 1.0; s.reflectance = 0.04; s.coatTint = vec3(1.0); s.transparency = s.emissive = vec3(0.0); s.coat = s.fuzz = 0.0; "
-                               "return vec4(surfaceAmbient(surfaceLit(s, vec3(0.0, 0.0, 1.0)), vec3(1.0)) + surfaceOwn(surfaceLit(s, vec3(0.0, 0.0, 1.0))), 1.0); }\n";
-    for (int i = 0; i < 2; i++) {
+                               "s.metalness = 0.0; s.roughness = 1.0; s.reflectance = 0.04; s.emissive = vec3(0.0);\n"
+                               "#ifdef SURFACE_HAS_coat\n    s.coatTint = vec3(1.0); s.transparency = vec3(0.0); s.coat = s.fuzz = 0.0;\n#endif\n    return vec4(surfaceAmbient(surfaceLit(s, vec3(0.0, 0.0, 1.0)), vec3(1.0)) + surfaceOwn(surfaceLit(s, vec3(0.0, 0.0, 1.0))), 1.0); }\n";
+    for (int i = 0; i < 3; i++) {
         MatcOptions options;
         matc_options_init(&options);
         options.layout = layouts[i];
+        options.cases = i == 2 ? 1u << 4 : 0;
         MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_UNPACK, &options);
         assert_true(matc_ok(program));
         GlContext *gl = frame_context();
-        const char *const texts[] = {matc_output(program, MATC_UNPACK, NULL), i ? "#define TEXELS uvec4(0u), uvec4(0u), uvec4(0u)\n" : "#define TEXELS uvec4(0u)\n"};
+        const char *const texts[] = {matc_output(program, MATC_UNPACK, NULL), i == 1 ? "#define TEXELS uvec4(0u), uvec4(0u), uvec4(0u)\n" : "#define TEXELS uvec4(0u)\n"};
         run_texts(gl, (const char *const[]){texts[0], surface_model_principled.text, texts[1], body}, said);
         gl_close(gl);
         matc_program_free(program);

@@ -3,12 +3,43 @@
 #include "compiler/layout/layout.h"
 #include <string.h>
 
+static bool takes(const Job *job, int number) { return !job->cases || job->cases >> number & 1; }
+
+/* The slot is in what comes back: of the layout, or of a case that is taken. */
+static bool comes_back(const Job *job, Slot slot)
+{
+    if (layout_fixed(job->layout, slot))
+        return true;
+    for (int i = 0; i < job->layout->case_count; i++)
+        if (takes(job, i) &&
+            (layout_case_has_slot(&job->layout->cases[i], slot) || layout_case_fixed(&job->layout->cases[i], slot)))
+            return true;
+    return false;
+}
+
+/* Of the cases that are taken, the last, which needs no question. */
+static int last_taken(const Job *job)
+{
+    int last = job->layout->case_count - 1;
+    while (last > 0 && !takes(job, last))
+        last--;
+    return last;
+}
+
+static int first_taken(const Job *job)
+{
+    int first = 0;
+    while (first < last_taken(job) && !takes(job, first))
+        first++;
+    return first;
+}
+
 /* The chunks that decode the layout's fields, each once. */
 static void put_chunks(Session *session, Text *out, const Job *job)
 {
     Chunks chunks = {0};
     for (int i = 0; i < job->layout->case_count; i++)
-        for (int k = 0; k < job->layout->cases[i].field_count; k++) {
+        for (int k = 0; takes(job, i) && k < job->layout->cases[i].field_count; k++) {
             const char *name = encoding_table[job->layout->cases[i].fields[k].encoding].unpack;
             if (*name)
                 chunks_add(session, &chunks, name, job);
@@ -24,17 +55,16 @@ static const char *in_space(const Job *job) { return job->normals == NORMALS_wor
 /* What a light pass can ask for: SURFACE_HAS_<slot> stands for each member, SURFACE_NORMALS_<space> for where the normal is. */
 static void put_struct(Text *out, const Job *job)
 {
-    const LayoutRow *layout = job->layout;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(layout, (Slot)slot))
+        if (comes_back(job, (Slot)slot))
             text_format(out, "#define SURFACE_HAS_%s\n", slot_table[slot].name);
-    if (layout_has_slot(layout, SLOT_normal))
+    if (comes_back(job, SLOT_normal))
         text_format(out, "#define SURFACE_NORMALS_%s\n", normals_table[job->normals].name);
     text_put(out, "struct Surface {\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (slot == SLOT_normal && layout_has_slot(layout, SLOT_normal))
+        if (slot == SLOT_normal && comes_back(job, SLOT_normal))
             text_format(out, "    vec3 normal; // Shading normal %s, unit length.\n", in_space(job));
-        else if (layout_has_slot(layout, (Slot)slot))
+        else if (comes_back(job, (Slot)slot))
             text_format(out, "    %s %s; // %s\n", type_table[slot_table[slot].type].name, slot_table[slot].name,
                         slot_table[slot].doc);
     text_put(out, "};\n\n");
@@ -172,14 +202,15 @@ static void put_fetching(Text *out, const Job *job)
 }
 
 /* The pieces of a case, then the slots that it leaves out. */
-static void put_case(Text *out, const LayoutRow *layout, int number, const char *indent)
+static void put_case(Text *out, const Job *job, int number, const char *indent)
 {
+    const LayoutRow *layout = job->layout;
     Placement placement;
     layout_allocate(layout, number, &placement); /* lowering has told what does not fit */
     for (int i = 0; i < placement.count; i++)
         put_piece(out, layout, &placement.pieces[i], indent, i);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(layout, (Slot)slot) && !layout_case_has_slot(&layout->cases[number], (Slot)slot))
+        if (comes_back(job, (Slot)slot) && !layout_case_has_slot(&layout->cases[number], (Slot)slot))
             put_known(out, layout, &layout->cases[number], (Slot)slot, indent);
 }
 
@@ -203,19 +234,22 @@ static void put_number(Text *out, const LayoutRow *layout)
     text_put(out, "    ");
 }
 
-static void put_cases(Text *out, const LayoutRow *layout)
+static void put_cases(Text *out, const Job *job)
 {
-    if (layout->case_count == 1) {
-        put_case(out, layout, 0, "    ");
+    const int last = last_taken(job);
+    if (first_taken(job) == last) {
+        put_case(out, job, last, "    ");
         return;
     }
-    put_number(out, layout);
-    for (int i = 0; i < layout->case_count; i++) {
-        if (i + 1 < layout->case_count)
+    put_number(out, job->layout);
+    for (int i = 0; i <= last; i++) {
+        if (!takes(job, i))
+            continue;
+        if (i < last)
             text_format(out, "if (number == %du) ", i);
         text_put(out, "{\n");
-        put_case(out, layout, i, "        ");
-        text_put(out, i + 1 < layout->case_count ? "    } else " : "    }\n");
+        put_case(out, job, i, "        ");
+        text_put(out, i < last ? "    } else " : "    }\n");
     }
 }
 
@@ -233,7 +267,7 @@ const char *emit_unpack(Session *session, const Job *job)
     text_put(&out, "Surface unpackTexels(");
     put_parameters(&out, job);
     text_put(&out, ") {\n    Surface surface;\n");
-    put_cases(&out, job->layout);
+    put_cases(&out, job);
     text_put(&out, "    return surface;\n}\n");
     put_fetching(&out, job);
     return out.at;

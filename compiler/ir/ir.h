@@ -129,6 +129,7 @@ typedef struct Ir {
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
     Opacity opacity;
+    int layout_case; /* of what is packed, by number */
     const Node *displaced; /* the material that says how; NULL: the surface is as its mesh is */
     unsigned slots;       /* where all slots are outputs: those that a layout has to store, 1 << slot */
     bool keep_pow;        /* powers stay calls of pow */

@@ -14,6 +14,7 @@ typedef struct {
     bool all_slots; /* of the pass value: each slot is an output of that number */
     Choice choice[AXIS_COUNT];
     bool from_buffer; /* numbers of the document come from a buffer */
+    unsigned cases;   /* of the layout, 1 << number: those that are read back; 0: all */
     bool moved;       /* vertices stand where they were displaced to */
     bool instances;   /* an object's matrices, and the numbers of its material, are found by an attribute */
 } Job;

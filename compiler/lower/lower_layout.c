@@ -299,6 +299,7 @@ void lower_layout(Lower *l, int number, const Node *material, const Env *env)
         l->failed = true;
         return;
     }
+    l->ir->layout_case = number;
     check_fixed(l, row, material, env);
     check_model(l, row, material, env);
     const Packed packed = {&placement, material, env};

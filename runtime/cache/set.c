@@ -91,12 +91,16 @@ static bool compile(Maker *m, SetProgram *program, unsigned outputs)
     return set_fail(m->gl, m->scene, program->material);
 }
 
+static bool packs(const SetProgram *program)
+{
+    return !strcmp(program->pass, "plane") || !strcmp(program->pass, "gbuffer");
+}
+
 /* By how much a surface or a plane is transparent, if that is a constant. */
 static bool find_through(Maker *m, SetProgram *program)
 {
     const SceneMaterial *of = &m->scene->materials[program->material];
-    const bool drawn = !strcmp(program->pass, "plane") || !strcmp(program->pass, "gbuffer");
-    if (!drawn || strcmp(matc_opacity(program->program), "transparent") != 0)
+    if (!packs(program) || strcmp(matc_opacity(program->program), "transparent") != 0)
         return true;
     const MatcNumbers through = matc_eval_slot(of->document, of->index, "", &m->options);
     for (int i = 0; i < through.lanes; i++)
@@ -120,6 +124,8 @@ static bool add_program(Maker *m, int material, const char *pass)
     set->of_material[material] = ++set->count;
     if (!compile(m, program, MATC_KEY))
         return false;
+    if (packs(program))
+        m->options.cases |= 1u << matc_case(program->program);
     program->transparent = strcmp(matc_opacity(program->program), "opaque") != 0;
     return find_through(m, program);
 }

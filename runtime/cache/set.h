@@ -40,7 +40,7 @@ typedef struct {
     MatcLayout *layout; /* NULL: a named one */
     MatcLayout *sheet;  /* of the pass SET_SHEET: three floats, what is let through; NULL: nothing is drawn with it */
     const char *target; /* of the GLSL */
-    const char *unpack; /* GLSL that reads the layout back; NULL: there is no surface */
+    const char *unpack; /* GLSL that reads back the cases that the materials take; NULL: there is no surface */
     SetProgram *programs;
     int *of_material; /* the last program of each, from 1; 0: none */
     int count;

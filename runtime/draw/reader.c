@@ -11,7 +11,7 @@
 #include "runtime/draw/reader.h"
 #include <stdio.h>
 
-enum { HEAD_ROOM = 256, MAIN_ROOM = 4096 };
+enum { HEAD_ROOM = 256, MAIN_ROOM = 8192 };
 
 static bool is_old(const ReaderSource *source) { return !target_table[source->target].in_out; }
 
@@ -36,9 +36,14 @@ static void write_main(const ReaderSource *source, char text[MAIN_ROOM])
         PUT("    Surface s = unpackSurface(ivec2(gl_FragCoord.xy));\n");
     PUT("    %s = vec4(0.0);\n", value);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(source->layout, (Slot)slot))
-            PUT("    if (reader_slot == %d) %s = vec4(s.%s%s);\n", slot, value, slot_table[slot].name,
-                fill[type_table[slot_table[slot].type].lanes]);
+        if (layout_has_slot(source->layout, (Slot)slot)) { /* of cases that nothing takes, it is absent */
+            const int lanes = type_table[slot_table[slot].type].lanes;
+            const int none = (int)slot_table[slot].absent; /* all are whole */
+            PUT("#ifdef SURFACE_HAS_%s\n    if (reader_slot == %d) %s = vec4(s.%s%s);\n#else\n", slot_table[slot].name, slot,
+                value, slot_table[slot].name, fill[lanes]);
+            PUT("    if (reader_slot == %d) %s = vec4(%d.0, vec3(%d.0) * vec3(%d, %d, %d));\n#endif\n", slot, value, none,
+                none, lanes > 1, lanes > 2, lanes > 3);
+        }
     PUT("}\n");
 #undef PUT
 }
