@@ -21,6 +21,7 @@ enum { CELLS_FIRST, CELLS_SECOND, CELLS_BETWEEN };
 typedef struct {
     double distance, away[3]; /* from p to it */
     double number;            /* its cell's, in [0, 1) */
+    int cell[3];              /* as many cells from p's own */
 } CellsPoint;
 typedef struct {
     CellsPoint first, second;
