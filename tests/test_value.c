@@ -6,7 +6,6 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "tests/sanitized.h"
 #include "tests/value/draw.h"
 #include "tests/value/rounding.h"
 #include "tests/value/sampler.h"
@@ -23,8 +22,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { NOISES = REFERENCE_NOISE_COUNT, JUDGED = POINT_COUNT / SANITIZED_STEP };
-enum { WAYS_APART = SANITIZED ? 12 : 1 }; /* two for each slot: drivers take their time with each program */
+enum { NOISES = REFERENCE_NOISE_COUNT };
 static const double SHARP = 1e-3;
 
 /* What all workers share. */
@@ -61,8 +59,8 @@ typedef struct {
 /* Of the material seen from behind, when nothing but the normal turns. */
 static void turn_hulls(const Hull *front, Hull *back)
 {
-    memcpy(back, front, JUDGED * sizeof *back);
-    for (int i = 0; i < JUDGED; i++)
+    memcpy(back, front, POINT_COUNT * sizeof *back);
+    for (int i = 0; i < POINT_COUNT; i++)
         for (int lane = 0; lane < 3; lane++) {
             back[i].value.lane[SLOT_normal][lane] = -front[i].value.lane[SLOT_normal][lane];
             back[i].low.lane[SLOT_normal][lane] = -front[i].high.lane[SLOT_normal][lane];
@@ -77,7 +75,7 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice 
         return *hulls;
     if (!s->oracles[noise])
         s->oracles[noise] = oracle_open(s->document->graph, &(ReferenceContext){.noise = noise});
-    *hulls = calloc(JUDGED, sizeof **hulls);
+    *hulls = calloc(POINT_COUNT, sizeof **hulls);
     if (!*hulls)
         abort();
     Subjects subjects;
@@ -88,7 +86,7 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice 
     }
     oracle_derivatives(s->oracles[noise], derivatives);
     const bool steep = noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT;
-    const PointSet points = {w->run->points, JUDGED, front, steep ? &reach_steep : &reach_float};
+    const PointSet points = {w->run->points, POINT_COUNT, front, steep ? &reach_steep : &reach_float};
     points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, &points, *hulls);
     return *hulls;
 }
@@ -99,11 +97,11 @@ static const Hull *sampled_hulls_of(Worker *w, Subject *s, bool front)
     Hull **sampled = &s->sampled[front];
     if (*sampled)
         return *sampled;
-    *sampled = malloc(JUDGED * sizeof **sampled);
+    *sampled = malloc(POINT_COUNT * sizeof **sampled);
     if (!*sampled)
         abort();
-    memcpy(*sampled, exact, JUDGED * sizeof **sampled);
-    const PointSet points = {w->run->points, JUDGED, front, &reach_float};
+    memcpy(*sampled, exact, POINT_COUNT * sizeof **sampled);
+    const PointSet points = {w->run->points, POINT_COUNT, front, &reach_float};
     sampler_widen(s->oracles[REFERENCE_LATTICE], s->document->graph, s->material, &points, *sampled);
     return *sampled;
 }
@@ -167,7 +165,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
                                                          : hulls_of(w, c->subject, noise, derivatives, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0, excused = 0;
     double worst = 0;
-    for (int i = 0; i < JUDGED; i++) {
+    for (int i = 0; i < POINT_COUNT; i++) {
         const bool judged = way_judges(c->way, c->subjects, &w->run->points[i]);
         for (int k = 0; k < lanes; k++) {
             if (!judged && isfinite(rgba[4 * i + k]))
@@ -185,7 +183,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     }
     char name[160], way[64];
     name_slot(c, name, sizeof name);
-    verdicts_record(&w->run->verdicts, &(Seen){name, worst, JUDGED * lanes, sharp, c->subjects, c->governing});
+    verdicts_record(&w->run->verdicts, &(Seen){name, worst, POINT_COUNT * lanes, sharp, c->subjects, c->governing});
     if (!bad)
         return;
     char at[200];
@@ -291,7 +289,7 @@ static void check_material(Worker *w, Document *document, int material, bool cha
             const Way *way = &way_table[i];
             const int governing = subject_governing(&subjects, way->choice);
             const double bound = way_bound(way, document, governing);
-            if ((slot + i) % WAYS_APART == 0 && way_matters(way, &subjects))
+            if (way_matters(way, &subjects))
                 check_way(w, &(Case){&subject, (Slot)slot, way, &subjects, governing, bound, changed});
         }
     }
@@ -342,7 +340,8 @@ static void *work(void *user)
     if (!w)
         abort();
     w->run = run;
-    if (!drawer_open(&w->core, true, run->points, JUDGED) || !drawer_open(&w->compat, false, run->points, JUDGED)) {
+    if (!drawer_open(&w->core, true, run->points, POINT_COUNT) ||
+        !drawer_open(&w->compat, false, run->points, POINT_COUNT)) {
         verdicts_fault(&run->verdicts, "no context", 1e9, "%s%s", w->core.error, w->compat.error);
         free(w);
         return NULL;
@@ -366,11 +365,9 @@ static void examples_draw_what_they_mean(void **state)
 {
     (void)state;
     static Run run;
-    static Point all[POINT_COUNT], points[JUDGED];
+    static Point points[POINT_COUNT];
     const char *seed = getenv("VALUE_SEED");
-    points_make_others(all, seed ? atoi(seed) : 0);
-    for (int i = 0; i < JUDGED; i++)
-        points[i] = all[i * SANITIZED_STEP];
+    points_make_others(points, seed ? atoi(seed) : 0);
     run.documents = documents_list(SOURCE_FOLDER);
     run.points = points;
     verdicts_open(&run.verdicts);
