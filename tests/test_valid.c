@@ -129,12 +129,14 @@ static void check_material(Run *run, const Document *d, int material)
 static void *work(void *user)
 {
     Run *run = user;
+    MatcLinked *linked = matc_linked_new(); /* of noises that a material has none of, programs are the same */
     for (int i; (i = atomic_fetch_add(&run->next, 1)) < run->documents.count;) {
         Document document;
         const char *only = getenv("VALUE_ONLY");
         if (only && !strstr(run->documents.paths[i], only))
             continue;
         bool good = document_open(&document, run->documents.paths[i]);
+        document.options.linked = linked;
         if (!good && !document_is_library(&document)) {
             atomic_fetch_add(&run->faults, 1);
             fprintf(stderr, "%s: %s\n", run->documents.paths[i], document_fault(&document));
@@ -143,6 +145,7 @@ static void *work(void *user)
             check_material(run, &document, material);
         document_close(&document);
     }
+    matc_linked_free(linked);
     return NULL;
 }
 
