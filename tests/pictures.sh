@@ -70,6 +70,11 @@ check "and are in docs" test -s docs/shadows.png
 [ -z "$update" ] || "$matview" docs/indirect.yaml --compare=indirect -o docs/indirect.png
 check "indirect light by all methods is drawn" "$matview" docs/indirect.yaml --compare=indirect -o "$work/indirect.png"
 check "and is in docs" test -s docs/indirect.png
+sed 's/directional: true/directional: false/' docs/directional.yaml > "$work/undirected.yaml"
+[ -z "$update" ] || "$matview" docs/directional.yaml -o docs/directional.png
+[ -z "$update" ] || "$matview" "$work/undirected.yaml" -o docs/undirected.png
+check "light of a sky is drawn" "$matview" "$work/undirected.yaml" -o "$work/undirected.png"
+check "and is in docs" test -s docs/directional.png -a -s docs/undirected.png
 [ -z "$update" ] || "$matview" docs/indirect.yaml --view=positions -o docs/positions.png
 check "what its picture knows is drawn" "$matview" docs/indirect.yaml --view=positions -o "$work/positions.png"
 check "and is in docs" test -s docs/positions.png

@@ -274,7 +274,7 @@ static void light_is_their_sum(void **state)
     Rig rig = open_rig();
     for (int dims = 0; dims < 2; dims++) {
         char keys[TEXT / 16];
-        snprintf(keys, sizeof keys, "indirect: { gain: 2.5, dimsDirect: %s }", dims ? "true" : "false");
+        snprintf(keys, sizeof keys, "indirect: { gain: 2.5, directional: false, dimsDirect: %s }", dims ? "true" : "false");
         float *all = light_of(&rig, keys, AROUND ", " LAMP, "light"),
               *open = light_of(&rig, keys, AROUND ", " LAMP, "open"),
               *sent = light_of(&rig, keys, AROUND ", " LAMP, "indirect"), *around = light_of(&rig, "", AROUND, "light"),

@@ -1,5 +1,5 @@
-/* Bent normals, the means of directions that are open, against rays of Embree; and what light of a hemisphere would be by them, against the same rays: by openness times what arrives along the normal, as the pass combine
- * has it, and along the bent one. */
+/* Bent normals, the means of directions that are open, against rays of Embree; and what light of half a sky would be by them, against the same rays: by openness times what arrives along the normal, and along the bent one; and
+ * what it is, by the rays that meet nothing, and with `directional: false`. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { EDGE = 96, APART = 5, ACROSS = 24, PLACES = EDGE * EDGE / (APART * APART), TEXT = 2048, SKIES = 4 };
+enum { EDGE = 96, APART = 5, ACROSS = 48, PLACES = EDGE * EDGE / (APART * APART), TEXT = 2048, SKIES = 4 };
 static const double radius = 10, pi = 3.14159265358979323846;
 
 static const char body[] =
@@ -83,19 +83,25 @@ static void find_truth(const Scene *scene, Truth *truth)
     reference_close(&tracer);
 }
 
-static float *drawn(GlContext *gl, const char *keys, const char *view, Truth *truth, SceneCamera *camera)
+/* By keys of `indirect:`, and lights. */
+static float *drawn_by(GlContext *gl, Render *render, const char *texts[2], Truth *truth, SceneCamera *camera)
 {
     const MatcOptions options = frame_exact_options();
     char text[TEXT];
     MatcDocument *document;
-    snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, %s }\n%s", radius, keys, body);
+    snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, %s }\n%s%s", radius, texts[0], texts[1], body);
     Scene *scene = frame_scene(text, &options, &document);
     if (!truth->count)
         find_truth(scene, truth);
     *camera = scene->camera;
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = view, .deep = true});
+    float *rgba = frame_floats_by(gl, render, scene);
     frame_forget(scene, document);
     return rgba;
+}
+
+static Render *opened(GlContext *gl, const MatcOptions *options, const char *view)
+{
+    return render_open(gl, &(RenderOptions){.compile = options, .view = view, .deep = true});
 }
 
 static void to_world(const SceneCamera *camera, const float *eye, double way[3])
@@ -123,10 +129,12 @@ static void bent_normals_are_those_of_rays(void **state)
                  {"method: screen, rays: 64, steps: 16", 20, .09}};
     Truth *truth = calloc(1, sizeof *truth);
     GlContext *gl = frame_context();
+    const MatcOptions options = frame_exact_options();
+    Render *renders[2] = {opened(gl, &options, "open"), opened(gl, &options, "bent")};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         SceneCamera camera;
-        float *open = drawn(gl, cases[i].keys, "open", truth, &camera);
-        float *bent = drawn(gl, cases[i].keys, "bent", truth, &camera);
+        float *open = drawn_by(gl, renders[0], (const char *[2]){cases[i].keys, ""}, truth, &camera);
+        float *bent = drawn_by(gl, renders[1], (const char *[2]){cases[i].keys, ""}, truth, &camera);
         double angle = 0, by[3] = {0};
         for (int p = 0; p < truth->count; p++) {
             const Place *place = &truth->places[p];
@@ -150,12 +158,74 @@ static void bent_normals_are_those_of_rays(void **state)
         free(open);
         free(bent);
     }
+    render_close(renders[0]);
+    render_close(renders[1]);
+    free(truth);
+    gl_close(gl);
+}
+
+/* Half a sky: cells of a checker that are so large that only the border through the origin is seen. */
+static void put_sky(const double way[3], char text[TEXT])
+{
+    snprintf(text, TEXT,
+             "lights: [{ light: Sky }]\nsky: { material: Phong, diffuse: 0, emissive: { map: VolumeChecker, color1: 0, "
+             "color2: 1, input: { map: XYZTransform, transform: { matrix: [%g, %g, %g, 0, 0, 0, 0, .5, 0, 0, 0, .5, 0, "
+             "0, 0, 1] } } } }\n",
+             .5 * way[0], .5 * way[1], .5 * way[2]);
+}
+
+/* Root of the mean square over all half skies, against rays. */
+static double light_off(GlContext *gl, Render *render, const char *keys, Truth *truth, bool hemisphere)
+{
+    const double diffuse = .7;
+    double sum = 0;
+    for (int sky = 0; sky < (hemisphere ? 1 : SKIES); sky++) {
+        char lights[TEXT];
+        SceneCamera camera;
+        put_sky(skies[sky], lights);
+        const char *texts[2] = {keys, hemisphere ? "lights: [{ light: Hemisphere, ground: [0, 0, 0] }]\n" : lights};
+        float *light = drawn_by(gl, render, texts, truth, &camera);
+        for (int p = 0; p < truth->count; p++) {
+            const double off = light[4 * truth->places[p].pixel] / diffuse - truth->places[p].light[sky];
+            sum += off * off / ((hemisphere ? 1 : SKIES) * truth->count);
+        }
+        free(light);
+    }
+    return sqrt(sum);
+}
+
+static void light_of_half_a_sky_comes_by_direction(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys;
+        bool hemisphere;
+        double least, most; /* off */
+    } cases[] = {{"method: hybrid", false, 0, .015},
+                 {"method: hybrid, directional: false", false, .06, .1},
+                 {"method: hybrid, rays: 64", false, 0, .01},
+                 {"method: hybrid, rays: 16, resolution: half, gain: 2", false, 0, .03},
+                 {"method: screen, rays: 64, steps: 16", false, 0, .035},
+                 {"method: screen, rays: 64, steps: 16, directional: false", false, .06, .1},
+                 {"method: hybrid", true, 0, .015},
+                 {"method: hybrid, directional: false", true, .06, .1}};
+    Truth *truth = calloc(1, sizeof *truth);
+    GlContext *gl = frame_context();
+    const MatcOptions options = frame_exact_options();
+    Render *render = opened(gl, &options, "light");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double off = light_off(gl, render, cases[i].keys, truth, cases[i].hemisphere);
+        print_message("%s, %s: %.4f\n", cases[i].keys, cases[i].hemisphere ? "Hemisphere" : "Sky", off);
+        assert_true(off >= cases[i].least && off < cases[i].most);
+    }
+    render_close(render);
     free(truth);
     gl_close(gl);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(bent_normals_are_those_of_rays)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(bent_normals_are_those_of_rays),
+                                       cmocka_unit_test(light_of_half_a_sky_comes_by_direction)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

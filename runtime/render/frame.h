@@ -75,6 +75,8 @@ enum { SKY_NUMBERS = 31 }; /* three of bands 1, 28 of the even bands to 6 */
 typedef struct {
     GLuint map; /* a cube, in the world's axes, with mipmaps; 0: no sky shines */
     float irradiance[SKY_NUMBERS][4];
+    bool uneven;    /* it is not the same from everywhere, */
+    float first[3]; /* as it is in one place */
 } SkyLight;
 
 /* Of pass_gather.c, where lights are many. */

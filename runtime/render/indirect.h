@@ -58,6 +58,12 @@ bool indirect_is_smoothed(const Render *render);
 /* What rays meet is looked for in voxels; and sends cached radiance, not what the picture shows of it. */
 bool indirect_reads_voxels(const Render *render);
 bool indirect_reads_radiance(const Render *render);
+/* Light from all around comes by the rays that meet nothing, as it is not the same from everywhere. GLSL for it; tells a pass, and binds, one unit. indirect_around.c */
+bool indirect_is_directional(const Render *render);
+enum { INDIRECT_AROUND_TEXTS = 3 };
+void indirect_around_texts(const Render *render, const char *texts[INDIRECT_AROUND_TEXTS]);
+void indirect_around_set(const Render *render, int unit, ScreenPass *pass);
+void indirect_around_bind(const Render *render, int unit);
 /* Of a pixel for which rays go out, in those of the picture. */
 int indirect_coarse(const Render *render);
 /* The same while something moves, if that is more; else 0. */

@@ -51,6 +51,9 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
     vec3 from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
     vec2 middle = vec2(pixel) + 0.5;
     open = vec3(0.0);
+#ifdef INDIRECT_AROUND
+    Around around = Around(vec3(0.0), vec3(0.0));
+#endif
     for (int i = 0; i < INDIRECT_SLICES; i++) {
         float turn = 3.14159265358979 * (float(i) + fract(shift.x)) / float(INDIRECT_SLICES);
         vec3 along = vec3(cos(turn), sin(turn), 0.0);
@@ -94,8 +97,17 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
             if ((bits >> uint(b) & 1u) == 0u) open += share * (cos(t) * sight + sin(t) * slice.aside);
         }
 #endif
+#ifdef INDIRECT_AROUND
+        for (int b = 0; b < 4; b++) {
+            float t = slice.g + 3.14159265358979 * ((float(b) + 0.5) / 4.0 - 0.5); // of eight sectors
+            aroundAdd(0.25 * share * aroundAt(cos(t) * sight + sin(t) * slice.aside), indirectCount(~bits >> uint(8 * b) & 0xFFu) / 8.0, around);
+        }
+#endif
         sum += share;
     }
     sum = max(sum, 1e-6);
+#ifdef INDIRECT_AROUND
+    light += aroundBeside(around, 1.0 - kept / sum);
+#endif
     return vec4(light / sum, kept / sum);
 }

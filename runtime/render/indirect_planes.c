@@ -38,6 +38,8 @@ void indirect_planes_put(Text *out, const Render *render)
                     : transparency_has_lists(render->gl) ? "the scene has no objects for voxels"
                                                          : "voxels take OpenGL 4.3");
     text_put(out, "\n");
+    if (indirect_is_directional(render))
+        text_put(out, "indirect  light from all around comes by direction\n");
     if (planes)
         text_format(out, "indirect  rays meet %d of %d infinite planes, which are not in voxels\n", planes, opaque);
 }

@@ -6,12 +6,19 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, o
     open = vec3(0.0);
     indirectBasis(normal, u, v);
     IndirectOrigin origin = indirectOrigin(point, normal);
+#ifdef INDIRECT_AROUND
+    Around around = Around(vec3(0.0), vec3(0.0));
+#endif
     for (int i = 0; i < INDIRECT_RAYS; i++) {
         vec3 local = indirectDirection(indirectSample(i, shift));
         vec3 way = local.x * u + local.y * v + local.z * normal;
         IndirectHit hit = indirectMeet(origin, way, INDIRECT_JITTER * fract(shift.at.z + shift.more.z + 0.618034 * float(i)));
         bool met = hit.t >= 0.0;
-        kept += met ? indirectWeight(hit.t) : 0.0;
+        float off = met ? indirectWeight(hit.t) : 0.0;
+        kept += off;
+#ifdef INDIRECT_AROUND
+        aroundAdd(INDIRECT_SHARE(local.z) * aroundAt(way), 1.0 - off, around);
+#endif
         open += met ? vec3(0.0) : way;
 #ifdef INDIRECT_LIGHT
         float share = INDIRECT_SHARE(local.z);
@@ -19,5 +26,8 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, o
         if (met) light += share * hit.sent;
 #endif
     }
+#ifdef INDIRECT_AROUND
+    light += aroundBeside(around, 1.0 - kept / float(INDIRECT_RAYS));
+#endif
     return vec4(light, kept) / float(INDIRECT_RAYS);
 }

@@ -164,6 +164,10 @@ static bool draw_face(Render *render, int face, const Framebuffer *target, float
         return false;
     for (int i = 0; i < 4 * FACE * FACE; i++) /* what a half float holds, and no more; not a number is black */
         rgba[i] = rgba[i] > 0 ? fminf(rgba[i], 65504) : 0;
+    for (int i = 0; i < 4 * FACE * FACE; i += 4)
+        render->sky.uneven |= memcmp(rgba + i, face ? render->sky.first : rgba, sizeof render->sky.first) != 0;
+    if (!face)
+        memcpy(render->sky.first, rgba, sizeof render->sky.first);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->sky.map);
     gl->TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)face, 0, GL_RGBA16F, FACE, FACE, 0, GL_RGBA, GL_FLOAT,

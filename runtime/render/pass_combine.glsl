@@ -13,5 +13,6 @@ vec3 passOver(ivec2 pixel, out vec3 through)
 #ifdef INDIRECT_DIMS
     through = vec3(seen.w);
 #endif
-    return seen.w * lightAround(surface) + indirect_gain * surfaceEven(surface.m) * seen.xyz;
+    vec3 light = seen.w * lightAround(surface) + indirect_gain * surfaceEven(surface.m) * seen.xyz;
+    return max(light, vec3(0.0)); // what is beside openness may be less than 0 (indirect_around.glsl)
 }

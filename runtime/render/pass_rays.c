@@ -7,7 +7,13 @@ extern const char render_text_indirect_place[], render_text_indirect_march[], re
     render_text_indirect_seen[], render_text_indirect_basis[], render_text_indirect_lift[], render_text_pass_rays[],
     render_text_voxel_map[], render_text_voxel_march[], render_text_voxel_ray[], render_text_radiance[], render_text_indirect_planes[];
 
-enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT, BEFORE_UNIT, RADIANCE_UNIT };
+enum {
+    LIGHT_UNIT = INDIRECT_FREE_UNIT,
+    VOXEL_UNIT,
+    BEFORE_UNIT,
+    RADIANCE_UNIT,
+    SKY_UNIT = RADIANCE_UNIT + RADIANCE_UNITS
+};
 
 bool pass_rays_needed(const Render *render) { return indirect_is(render); }
 
@@ -15,11 +21,13 @@ void pass_rays_place(Render *render)
 {
     indirect_forget(render);
     FrameIndirect *in = &render->indirect;
-    enum { RAYS = 4 }; /* of them go through voxels */
+    enum { RAYS = 4 }; /* of them send rays */
     ScreenPass *passes[] = {&in->rays,          &in->again,         &in->moving.rays,   &in->moving.again,  &in->smooth, &in->spread,
                             &in->moving.smooth, &in->moving.spread, &in->history.blend, &in->history.place};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         indirect_set(render, passes[i]);
+    for (size_t i = 0; i < RAYS; i++)
+        indirect_around_set(render, SKY_UNIT, passes[i]);
     for (size_t i = 0; i < RAYS && indirect_reads_voxels(render); i++)
         if (passes[i]->material.store) {
             pass_voxels_set(render, VOXEL_UNIT, passes[i]);
@@ -31,6 +39,7 @@ void pass_rays_place(Render *render)
 static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS], planes[INDIRECT_PLANES_DEFINITION];
+    const char *around[INDIRECT_AROUND_TEXTS];
     const bool kept = radiance_needed(render);
     const bool voxels = indirect_reads_voxels(render), levels = indirect_reads_radiance(render),
                seen = indirect_shows(render, "visibility"),
@@ -39,6 +48,7 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
     indirect_define(render, coarse, defined);
     radiance_define(render, cached);
     indirect_planes_define(render, planes);
+    indirect_around_texts(render, around);
     const SurfaceModel none = {.text = ""}, *of = again ? render->surface : &none;
     const ScreenPassText text = {.body = {indirect_surface_text(render),
                                           again ? render->surface_lacks : "",
@@ -63,6 +73,9 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
                                           render_text_indirect_lift,
                                           kept ? cached : "",
                                           kept ? render_text_radiance : "",
+                                          around[0],
+                                          around[1],
+                                          around[2],
                                           planes,
                                           *planes ? render_text_indirect_planes : "",
                                           mask     ? render_text_indirect_mask
@@ -102,6 +115,7 @@ static void run(Render *render, ScreenPass *pass)
         pass_voxels_bind(render, VOXEL_UNIT);
     if (radiance_needed(render))
         radiance_bind(render, RADIANCE_UNIT);
+    indirect_around_bind(render, SKY_UNIT);
     const Framebuffer *target = &render->draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
     screen_pass_run(pass, indirect_moves(render) ? &render->indirect.moving.found : target, &render->screen);
 }

@@ -104,7 +104,7 @@ typedef struct {
     Word weight, distribution, sequence, rotation, march, filter;
     int filter_size, coarse; /* pixels; of the picture, along an edge of one for which rays go out */
     int moving;              /* the same while something moves */
-    bool jitter, checked, dims_direct;
+    bool jitter, checked, directional, dims_direct;
     int bounces;
     double gain;
 } SceneIndirect;

@@ -36,6 +36,7 @@ void scene_indirect_read(SceneReader *r, Tree *tree)
                                          .march = word_of(&thing, S_Indirect_march),
                                          .jitter = is_so(&thing, S_Indirect_jitter),
                                          .checked = is_so(&thing, S_Indirect_checked),
+                                         .directional = is_so(&thing, S_Indirect_directional),
                                          .dims_direct = is_so(&thing, S_Indirect_dimsDirect),
                                          .bounces = whole_of(&thing, S_Indirect_bounces),
                                          .gain = scene_thing_number(&thing, S_Indirect_gain)};
