@@ -86,8 +86,11 @@ static void faults(void **state)
         {RED "displacement: { method: bisection, level: 8 }\nobjects: []\n",
          "2:43: error: by bisection no edge has a number of parts: `triangles` and `pixels` say how far it goes"},
         {RED "displacement: { pixels: 2 }\nobjects: []\n",
-         "2:25: error: a mesh is divided evenly: by pixels of the picture go `method: bisection`, `auto`, `grid` and "
-         "`tessellation`"},
+         "2:25: error: by mesh triangles are divided evenly: by pixels of the picture go `method: bisection`, `auto`, "
+         "`grid` and `tessellation`"},
+        {RED "displacement: { method: traced, pixels: 2 }\nobjects: []\n",
+         "2:41: error: by traced triangles are divided evenly: by pixels of the picture go `method: bisection`, "
+         "`auto`, `grid` and `tessellation`"},
         {RED "displacement: { method: grid, level: 65 }\nobjects: []\n",
          "2:38: error: level is 65; it must be from 0 to 64"},
         {RED "lights: [{ light: Sky }]\n", "2:10: error: the scene has no sky that could shine"},

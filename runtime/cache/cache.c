@@ -1,5 +1,5 @@
 /* The scene is walked once: equal solids become one mesh, materials that differ in numbers only one kind. */
-#include "runtime/cache/cache.h"
+#include "runtime/cache/cache_trace.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/cache/exact_number.h"
 #include "runtime/scene/scene_matrix.h"
@@ -345,7 +345,7 @@ static bool make_buffers(Maker *m)
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     for (int i = 0; i < cache->mesh_count; i++)
         mesh_attach(gl, &cache->meshes[i], cache->words);
-    return gl_check(m->gl, "making buffers of instances");
+    return gl_check(m->gl, "making buffers of instances") && cache_trace_make(m->store, m->source, cache);
 }
 
 bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *made)
@@ -369,14 +369,14 @@ void cache_delete(GlContext *gl, Cache *cache)
         material_delete(&cache->kinds[i].material);
     for (int i = 0; i < cache->caster_count; i++)
         material_delete(&cache->casters[i].material);
+    cache_trace_delete(cache);
     for (int i = 0; i < cache->plane_count; i++)
         material_delete(&cache->planes[i].material);
     for (int i = 0; i < cache->mesh_count; i++) {
         mesh_delete(gl, &cache->meshes[i]);
         displaced_delete(&cache->displaced[i]);
     }
-    if (cache->has_sky)
-        material_delete(&cache->sky);
+    material_delete(&cache->sky);
     if (cache->numbers)
         gl->DeleteBuffers(cache->number_count, cache->numbers); /* GL ignores the name 0 */
     gl->DeleteBuffers(2, (const GLuint[]){cache->matrices, cache->words});

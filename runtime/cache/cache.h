@@ -67,6 +67,8 @@ typedef struct {
     CullBox *boxes;       /* of the meshes */
     Key *mesh_keys;       /* of what they are made of */
     Displaced *displaced; /* by mesh: how the driver makes it; empty where it is there as it is */
+    Material *traced;     /* by kind: draws surfaces that rays have found (cache_trace.h); empty where none is */
+    bool tracing;         /* there is one */
     bool displaced_anew;  /* such a mesh has other triangles, since whoever reads this took it back */
     int mesh_count;
     CachePlace *places; /* of the objects but planes, opaque ones first, sorted by program, kind, mesh */
@@ -101,6 +103,7 @@ typedef struct {
     bool triangles;             /* of meshes that the driver displaces are wanted in the scene, too */
     Transparency transparency;
     ExactNumberWhat written; /* by what is opaque, beside the G-buffer */
+    bool lines;              /* surfaces are drawn as lines */
 } CacheSource;
 
 /* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's error; *made is empty then. */
@@ -122,8 +125,14 @@ bool cache_set(const CacheSource *source, Cache *cache, int material, const Mate
 bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
 /* Sorts places of a drawable, from the farthest on. cache_order.c. */
 void cache_order(const CacheSource *source, Cache *cache, const Drawable *drawable, uint32_t *list, int count);
-/* Draws the surfaces in view, each with its program: those that are opaque, or the others. */
+/* Draws the surfaces in view, each with its program: those that are opaque but not traced, or the others. */
 void cache_draw(GlContext *gl, Cache *cache, bool transparent);
+
+/* How what is traced goes to a shadow map. */
+typedef struct {
+    float offset[2]; /* of glPolygonOffset */
+    float pixel;     /* a texel of the map, in clip space */
+} CacheLightTrace;
 
 /* What a light sees of the scene. */
 typedef struct {
@@ -137,6 +146,7 @@ typedef struct {
     int wave;
     bool cut;     /* draws what is cut out, by programs of its own, or in place of these by `kept` */
     bool varying; /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
+    const CacheLightTrace *traced; /* what is traced for pictures is traced; NULL: its grid is drawn */
 } CacheLight;
 
 /* Sorts what casts shadows. cache_cast.c, as is what follows. */

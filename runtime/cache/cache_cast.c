@@ -1,6 +1,7 @@
 /* What of a cache casts shadows: drawn for each light, as the light sees it. What is opaque is grouped by mesh alone. */
-#include "runtime/cache/cache.h"
+#include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
+#include "runtime/displace/displaced_traced.h"
 #include <stdlib.h>
 
 /* A place, with what it is sorted by. */
@@ -110,6 +111,13 @@ static void use(GlContext *gl, CacheKind *caster, Material *material, const Mate
         gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_NUMBERS, caster->numbers);
 }
 
+static bool is_traced(const Cache *cache, const CacheLight *light, const CachePlace *place)
+{
+    const DisplacedTrace *trace = displaced_traced(&cache->displaced[place->mesh]);
+    return light->traced && cache->tracing && !place->transparent && cache->traced[place->kind].store && trace &&
+           !trace->parallax;
+}
+
 /* The light's clip space, the camera's eye. */
 static Spaces spaces_of(const CacheSource *source, const CacheLight *light)
 {
@@ -135,12 +143,17 @@ void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const Ca
         CacheKind *caster = light->kept ? &cache->kinds[place->kind] : number < 0 ? NULL : &cache->casters[number];
         Material *material = light->kept ? &light->kept[place->kind] : caster ? &caster->material : light->solid;
         group = group_of(cache, list + i, count - i, light->kept != NULL);
+        gl->FrontFace(place->mirrored != light->mirrored ? GL_CW : GL_CCW);
+        if (is_traced(cache, light, place)) {
+            cache_trace_cast(gl, cache, place->mesh, &(CacheTraceCast){light, start + i, group});
+            before = NULL;
+            continue;
+        }
         if (material != before || !cache->instances)
             set_object(&source->scene->objects[place->object].world_from_local, &spaces, material);
         material_set_number(material, "glass_map", (float)light->number);
         use(gl, caster, material, before);
         before = material;
-        gl->FrontFace(place->mirrored != light->mirrored ? GL_CW : GL_CCW);
         if (cache->instances)
             mesh_draw_instances(gl, &cache->meshes[place->mesh], start + i, group);
         else

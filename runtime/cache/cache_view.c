@@ -1,5 +1,5 @@
 /* What of a cache depends on where objects stand and on where they are seen from: their order, matrices, which are in view. */
-#include "runtime/cache/cache.h"
+#include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
 #include "runtime/scene/scene_matrix.h"
 #include <stdlib.h>
@@ -168,6 +168,7 @@ bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache)
         gl->BufferData(GL_UNIFORM_BUFFER, sizeof view, &view, GL_DYNAMIC_DRAW);
         for (int i = 0; i < cache->kind_count; i++)
             spaces_set(spaces, &cache->kinds[i].material);
+        cache_trace_view(source, cache);
     } else {
         for (int i = 0; i < cache->place_count; i++)
             set_object(source, cache, cache->places[i].object);
@@ -205,6 +206,8 @@ bool cache_set(const CacheSource *source, Cache *cache, int material, const Mate
         if (scene->objects[cache->places[i].object].material == material) {
             const CachePlace *place = &cache->places[i];
             found |= material_set(&cache->kinds[place->kind].material, value);
+            if (cache->tracing && cache->traced[place->kind].store)
+                material_set(&cache->traced[place->kind], value);
             found |= place->caster >= 0 && material_set(&cache->casters[place->caster].material, value);
             found |= place->cut >= 0 && material_set(&cache->casters[place->cut].material, value);
         }
@@ -229,7 +232,7 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent)
     for (int i = first; i < end; i++) {
         const Drawable *drawable = &cache->surfaces[i];
         CacheKind *kind = &cache->kinds[drawable->kind];
-        if (!drawable->seen)
+        if (!drawable->seen || cache_traces(cache, drawable))
             continue;
         if (drawable->mirrored != mirrored)
             gl->FrontFace((mirrored = drawable->mirrored) ? GL_CW : GL_CCW);

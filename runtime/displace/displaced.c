@@ -6,7 +6,8 @@
 
 /* A method's row says how its triangles are made; displaced_method.h has what a row may say. */
 static const DisplacedMethod *const methods[] = {&displaced_grid, &displaced_tessellation, &displaced_geometry,
-                                                 &displaced_points, &displaced_feedback, &displaced_bisection};
+                                                 &displaced_points, &displaced_feedback, &displaced_bisection,
+                                                 &displaced_by_tracing, &displaced_by_parallax};
 
 /* `auto` is the grid. */
 static const DisplacedMethod *method_of(Word word)

@@ -30,7 +30,7 @@ bool displaced_program(const DisplacedMaking *making, ProgramText *text, Materia
 {
     static const char *const captured[] = {"displaced_position", "displaced_normal",   "displaced_texcoord",
                                            "displaced_tangentU", "displaced_tangentV", "displaced_base"};
-    if (!text->compute[0]) {
+    if (!text->compute[0] && !text->fragment[0]) {
         text->fragment[0] = displaced_version;
         text->fragment[1] = "void main() {}\n";
         text->captured = captured;

@@ -34,11 +34,12 @@ typedef struct DisplacedMethod {
 } DisplacedMethod;
 
 extern const DisplacedMethod displaced_grid, displaced_tessellation, displaced_geometry, displaced_points,
-    displaced_feedback, displaced_bisection;
+    displaced_feedback, displaced_bisection, displaced_by_tracing, displaced_by_parallax;
 extern const char displaced_version[]; /* the first line of each stage */
 
 GlContext *displaced_context(const Displaced *displaced);
-/* Makes a program of stages that set the captured variables of displace_point.glsl: what stands behind them, and their uniforms; or of a compute stage, that sets them for itself. */
+/* Makes a program of stages that set the captured variables of displace_point.glsl: what stands behind them, and their uniforms; or of one that sets them for itself: a compute stage, or with
+ * a fragment stage of its own. */
 bool displaced_program(const DisplacedMaking *making, ProgramText *text, Material *made);
 /* Rows and patches become buffers, beside an empty one, an array and a framebuffer. */
 bool displaced_buffers(GlContext *gl, Displaced *made);

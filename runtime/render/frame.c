@@ -5,6 +5,7 @@
 
 #define DEPTH    (1u << FRAME_TARGET_depth)
 #define GBUFFER  (1u << FRAME_TARGET_gbuffer)
+#define TRACED   (1u << FRAME_TARGET_traced)
 #define SHADOW   (1u << FRAME_TARGET_shadow)
 #define FAR      (1u << FRAME_TARGET_far)
 #define VOXELS   (1u << FRAME_TARGET_voxels)
@@ -26,7 +27,7 @@
 
 const FramePass frame_passes[] = {
     /*  name       reads            fills            changes          own */
-    {{"surface", 0, DEPTH | GBUFFER | SEEN, 0, 0},
+    {{"surface", 0, DEPTH | GBUFFER | SEEN | TRACED, 0, 0},
      pass_surface_needed,
      NULL,
      pass_surface_draw,
@@ -176,12 +177,13 @@ static unsigned wanted(const Render *render)
     return !view ? SHOWN | kept : strcmp(view, "shadow") ? GBUFFER : LIGHT | SHADOW | kept;
 }
 
-/* What no pass fills is neither read nor changed. Without exact shadows or silhouettes nobody fills SEEN. */
-static void leave_out(FramePlanPass *rows, unsigned allowed, bool seen)
+/* What no pass fills is neither read nor changed. Without exact shadows or silhouettes nobody fills SEEN; where nothing is traced, TRACED. */
+static void leave_out(const Render *render, FramePlanPass *rows, unsigned allowed)
 {
+    const unsigned never = (facet_lights_seen(render) ? 0 : SEEN) | (render->cache.tracing ? 0 : TRACED);
     unsigned filled = 0;
     for (int i = 0; i < PASS_COUNT_HERE; i++)
-        rows[i].fills &= seen ? ~0u : ~SEEN;
+        rows[i].fills &= ~never;
     for (int i = 0; i < PASS_COUNT_HERE; i++)
         filled |= allowed >> i & 1 ? rows[i].fills : 0;
     for (int i = 0; i < PASS_COUNT_HERE; i++) {
@@ -201,7 +203,7 @@ void frame_request(const Render *render, FramePlanRows *made)
         pass_smooth_request(render, frame_passes[i].draw, &made->passes[i]);
         allowed |= (unsigned)frame_passes[i].needed(render) << i;
     }
-    leave_out(made->passes, allowed, facet_lights_seen(render));
+    leave_out(render, made->passes, allowed);
     for (int target = 0; target < FRAME_TARGET_COUNT; target++)
         made->targets[target] = frame_plan_target(render, (FrameTarget)target);
     made->request =

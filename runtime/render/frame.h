@@ -17,6 +17,7 @@
 typedef enum {
     FRAME_TARGET_depth,
     FRAME_TARGET_gbuffer,
+    FRAME_TARGET_traced,   /* which patch a ray met, and where: a pixel of cache_trace.h */
     FRAME_TARGET_shadow,   /* maps of their own size: pass_shadow.c has them */
     FRAME_TARGET_voxels,   /* of their own size, too: pass_voxels.c */
     FRAME_TARGET_cubes,    /* a view of them */
@@ -44,6 +45,7 @@ typedef enum {
 typedef enum {
     FRAME_DRAW_surface, /* G-buffer and depth */
     FRAME_DRAW_seen,    /* the same and what is seen */
+    FRAME_DRAW_traced,  /* what rays meet, and depth */
     FRAME_DRAW_sky,     /* light and depth */
     FRAME_DRAW_cubes,
     FRAME_DRAW_positions,

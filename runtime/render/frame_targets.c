@@ -4,7 +4,7 @@
 #include <string.h>
 
 static const char *const names[FRAME_TARGET_COUNT] = {
-    "depth",   "gbuffer", "shadow", "voxels", "cubes", "mesh", "radiance", "seen",    "lists",    "far",   "light", "rays",
+    "depth",   "gbuffer", "traced", "shadow", "voxels", "cubes", "mesh", "radiance", "seen",    "lists",    "far",   "light", "rays",
     "history", "smooth",  "open",   "edge",   "mask",  "layer",    "layer.z", "layer.id", "tools", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
@@ -46,6 +46,7 @@ const char *frame_format(const Render *render, FrameTarget target, int texture)
                                                  [FRAME_TARGET_tools] = light,
                                                  [FRAME_TARGET_cubes] = "RGBA8",
                                                  [FRAME_TARGET_positions] = "RGBA8",
+                                                 [FRAME_TARGET_traced] = "RGBA32UI",
                                                  [FRAME_TARGET_seen] = "R32UI",
                                                  [FRAME_TARGET_edge] = "R32UI",
                                                  [FRAME_TARGET_shown] = shown_format(render)};
@@ -162,6 +163,7 @@ static const struct {
     int depth;
 } draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
                              [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+                             [FRAME_DRAW_traced] = {FRAME_TARGET_traced, FRAME_TARGET_depth},
                              [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
                              [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
                              [FRAME_DRAW_positions] = {FRAME_TARGET_positions, FRAME_TARGET_layer_depth},
@@ -220,5 +222,6 @@ CacheSource frame_source(const Render *render)
                          render->transparency,
                          exact_lights_number(render)  ? EXACT_NUMBER_numbers
                          : facet_lights_write(render) ? EXACT_NUMBER_facets
-                                                      : EXACT_NUMBER_none};
+                                                      : EXACT_NUMBER_none,
+                         render->look && render->look->scene == VOLUME_VIEW_lines};
 }

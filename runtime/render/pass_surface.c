@@ -1,5 +1,6 @@
 /* The passes that rasterise: surfaces into depth and G-buffer, planes beside them, the sky where nothing is. Depth is reversed: it begins at
  * 0, and what is nearer is greater. */
+#include "runtime/cache/cache_trace.h"
 #include "runtime/render/frame.h"
 
 bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
@@ -40,6 +41,21 @@ void pass_surface_end(const Render *render)
     gl->Disable(GL_DEPTH_TEST);
 }
 
+/* First which surfaces rays meet, then what these are made of: whatever else is nearer comes over them. */
+static void draw_traced(Render *render, const Framebuffer *framebuffer)
+{
+    static const GLuint nothing[4];
+    GlContext *gl = render->gl;
+    const CacheSource source = frame_source(render);
+    frame_use(render, &render->draws[FRAME_DRAW_traced]);
+    gl->ClearBufferuiv(GL_COLOR, 0, nothing);
+    cache_trace_rays(gl, &source, &render->cache);
+    frame_use(render, framebuffer);
+    gl->Disable(GL_DEPTH_TEST);
+    cache_trace_surfaces(gl, &source, &render->cache, frame_texture(render, FRAME_TARGET_traced, 0));
+    gl->Enable(GL_DEPTH_TEST);
+}
+
 /* Numbers of triangles stay where they are until something moves. */
 void pass_surface_draw(Render *render)
 {
@@ -48,6 +64,8 @@ void pass_surface_draw(Render *render)
     pass_surface_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
     pass_exact_begin(render);
+    if (render->cache.tracing && volume_view_has_scene(render))
+        draw_traced(render, framebuffer);
     volume_view_draw_surfaces(render, false);
     pass_surface_end(render);
     render->exact.seen |= numbers;

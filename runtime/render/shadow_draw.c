@@ -51,11 +51,21 @@ static void end(const Render *render)
     gl->Disable(GL_DEPTH_TEST);
 }
 
+/* Maps of plain lights: the others go by triangles. Offsets as push() has them. */
+static bool find_trace(const Render *render, const ShadowView *view, CacheLightTrace *trace)
+{
+    *trace = (CacheLightTrace){{-(float)(render->scene->shadow_filter + 1) - 1.0f / 64, -2},
+                               2 / (float)render->scene->shadow_size};
+    return !view->soft && !view->hybrid && !view->silhouettes;
+}
+
 /* What a view shows of what is opaque, or of the rest, into the layer of that number. */
 static void cast_view(Render *render, const CacheSource *source, const ShadowView *view, int number, bool transparent)
 {
     const CullVolume volume = shadow_views_volume(view);
+    CacheLightTrace trace;
     double clip[16];
+    const bool traced = find_trace(render, view, &trace);
     clip_of(view, render->zero_to_one, clip);
     cache_cast(render->gl, source, &render->cache,
                &(CacheLight){.clip_from_world = clip,
@@ -63,7 +73,8 @@ static void cast_view(Render *render, const CacheSource *source, const ShadowVie
                              .mirrored = view->mirrored,
                              .solid = &render->shadows.solid,
                              .number = number,
-                             .varying = view->transparent},
+                             .varying = view->transparent,
+                             .traced = traced ? &trace : NULL},
                transparent);
 }
 

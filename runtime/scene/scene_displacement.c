@@ -208,6 +208,15 @@ static double longest_edge(const ScenePatches *patches)
     return longest;
 }
 
+/* At least 2: what is traced is halved again and again. */
+static int power_of_two(int parts)
+{
+    int power = 2;
+    while (power < parts)
+        power *= 2;
+    return power;
+}
+
 /* 131072 triangles of a box: 105 parts of an edge, which are 2 patches of 53. By the picture 512 patches or more, which have 256 triangles each where all edges have 16 parts. */
 static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Shape *made, ScenePatches **patches)
 {
@@ -247,10 +256,17 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     (*patches)->level = by_picture || parts > most * across ? most : (parts + across - 1) / across;
     (*patches)->pixels = how->pixels;
     (*patches)->triangles = how->triangles;
+    if (scene_displaced_traced(how->method))
+        (*patches)->level = power_of_two((*patches)->level);
     set_reach(&inverse, bound, (*patches)->reach);
     for (int i = 0; i < 3; i++)
         (*patches)->reach[i] += fabs(how->dividing.push) + how->dividing.bulge * longest_edge(*patches);
     return true;
+}
+
+bool scene_displaced_traced(Word method)
+{
+    return method == WORD_Displacing_traced || method == WORD_Displacing_parallax;
 }
 
 bool scene_displaced_by_driver(Word method, double pixels)

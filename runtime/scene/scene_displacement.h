@@ -24,6 +24,8 @@ typedef struct {
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
 /* Whoever draws the scene displaces by that method, where an error may have so many pixels, or, 0, is not looked at. */
 bool scene_displaced_by_driver(Word method, double pixels);
+/* Pictures are traced, over triangles that are divided evenly. */
+bool scene_displaced_traced(Word method);
 /* That it has, or is made into, at most. */
 int64_t scene_displaced_triangles(const SceneMesh *mesh);
 #endif

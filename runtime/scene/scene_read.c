@@ -1,7 +1,7 @@
 /* Text -> Scene: the document's outermost level. */
 #include "compiler/document.h"
 #include "runtime/scene/scene_part.h"
-#include "runtime/scene/scene_patches.h"
+#include "runtime/scene/scene_displacement.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -117,8 +117,9 @@ static void read_displacement(SceneReader *r, Tree *tree)
     dividing->push = scene_thing_number(&thing, S_Displacement_push);
     dividing->bulge = scene_thing_number(&thing, S_Displacement_bulge);
     dividing->symbol = (Word)scene_thing_number(&thing, S_Displacement_symbol);
-    if (method == WORD_Displacing_mesh && r->scene->displaced_pixels > 0)
-        diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels);
+    if ((method == WORD_Displacing_mesh || scene_displaced_traced(method)) && r->scene->displaced_pixels > 0)
+        diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels,
+                 word_table[method].name);
     else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
     else if ((dividing->push != 0 || dividing->bulge > 0) &&

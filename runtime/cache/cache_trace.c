@@ -1,0 +1,193 @@
+#include "runtime/cache/cache_trace.h"
+#include "runtime/cache/instances.h"
+#include "runtime/cache/trace_text.h"
+#include "runtime/displace/displaced_traced.h"
+#include <math.h>
+#include <stdlib.h>
+
+extern const char render_text_trace_vertex[];
+
+enum { MET_UNIT = MATERIAL_TEXTURES - 1 };
+
+/* -- programs */
+
+static bool make_program(Store *store, const CacheSource *source, const SetProgram *program, Material *made)
+{
+    GlContext *gl = store_context(store);
+    char *text = trace_text(set_vertex(source->set, program), set_fragment(source->set, program));
+    if (!text)
+        return gl_fail(gl, "out of memory");
+    const ProgramText of = {.vertex = {"#version 450 core\n", render_text_trace_vertex}, .fragment = {text}};
+    const bool fine =
+        material_make(store, program->program, &of, made) || set_fail(gl, source->scene, program->material);
+    free(text);
+    if (fine)
+        material_set_number(made, "trace_met", MET_UNIT);
+    return fine;
+}
+
+bool cache_trace_make(Store *store, const CacheSource *source, Cache *cache)
+{
+    if (!cache->instances || source->written || source->lines)
+        return true;
+    cache->traced = calloc((size_t)cache->kind_count + 1, sizeof *cache->traced);
+    bool fine = cache->traced || gl_fail(store_context(store), "out of memory");
+    for (int i = 0; fine && i < cache->place_count; i++) {
+        const CachePlace *place = &cache->places[i];
+        if (place->transparent || !displaced_traced(&cache->displaced[place->mesh]))
+            continue;
+        const SetProgram *program = set_find(source->set, source->scene->objects[place->object].material, "gbuffer");
+        cache->tracing = true;
+        if (!cache->traced[place->kind].store)
+            fine = make_program(store, source, program, &cache->traced[place->kind]);
+    }
+    for (int i = 0; fine && i < cache->mesh_count; i++)
+        if (displaced_traced(&cache->displaced[i]))
+            mesh_attach(store_context(store), &displaced_traced(&cache->displaced[i])->hulls, cache->words);
+    return fine;
+}
+
+void cache_trace_delete(Cache *cache)
+{
+    for (int i = 0; cache->traced && i < cache->kind_count; i++)
+        material_delete(&cache->traced[i]);
+    free(cache->traced);
+}
+
+void cache_trace_view(const CacheSource *source, Cache *cache)
+{
+    for (int i = 0; cache->tracing && i < cache->kind_count; i++)
+        if (cache->traced[i].store)
+            spaces_set(&source->space->spaces, &cache->traced[i]);
+}
+
+bool cache_traces(const Cache *cache, const Drawable *drawable)
+{
+    return cache->tracing && cache->traced[drawable->kind].store && displaced_traced(&cache->displaced[drawable->mesh]);
+}
+
+/* -- drawing */
+
+static void begin(GlContext *gl, const Cache *cache, GLuint view)
+{
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, cache->matrices);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, UNIFORMS_VIEW, view);
+    gl->CullFace(GL_FRONT); /* of a hull: a ray leaves it once, wherever it begins */
+    gl->Enable(GL_DEPTH_CLAMP);
+}
+
+static void end(GlContext *gl)
+{
+    gl->FrontFace(GL_CCW);
+    gl->CullFace(GL_BACK);
+    gl->Disable(GL_CULL_FACE);
+    gl->Disable(GL_DEPTH_CLAMP);
+}
+
+static void set(Material *material, const char *name, int lanes, const float *values)
+{
+    material_set(material, &(MaterialValue){name, lanes, values});
+}
+
+static void draw_hulls(GlContext *gl, const Cache *cache, int mesh, const int range[2])
+{
+    const DisplacedTrace *trace = displaced_traced(&cache->displaced[mesh]);
+    displaced_traced_bind(&cache->displaced[mesh], &cache->meshes[mesh]);
+    (trace->parallax ? gl->Disable : gl->Enable)(GL_CULL_FACE);
+    mesh_draw_instances(gl, &trace->hulls, range[0], range[1]);
+}
+
+/* Of the picture, in clip space. */
+static void set_pixel(const CacheSource *source, Material *material)
+{
+    set(material, "trace_pixel", 2, (float[]){2 / (float)source->size[0], 2 / (float)source->size[1]});
+}
+
+void cache_trace_rays(GlContext *gl, const CacheSource *source, Cache *cache)
+{
+    begin(gl, cache, cache->views[0]);
+    for (int i = 0; i < cache->opaque_count; i++) {
+        const Drawable *drawable = &cache->surfaces[i];
+        if (!drawable->seen || !cache_traces(cache, drawable))
+            continue;
+        Material *trace = &displaced_traced(&cache->displaced[drawable->mesh])->trace;
+        set(trace, "trace_viewer", 4, source->space->spaces.viewer);
+        set(trace, "trace_offset", 2, (float[]){0, 0});
+        set_pixel(source, trace);
+        gl->FrontFace(drawable->mirrored ? GL_CW : GL_CCW);
+        material_use(trace);
+        draw_hulls(gl, cache, drawable->mesh, (int[]){drawable->first_seen, drawable->seen});
+    }
+    end(gl);
+}
+
+void cache_trace_surfaces(GlContext *gl, const CacheSource *source, Cache *cache, GLuint met)
+{
+    begin(gl, cache, cache->views[0]);
+    for (int i = 0; i < cache->opaque_count; i++) {
+        const Drawable *drawable = &cache->surfaces[i];
+        CacheKind *kind = &cache->kinds[drawable->kind];
+        if (!drawable->seen || !cache_traces(cache, drawable))
+            continue;
+        Material *material = &cache->traced[drawable->kind];
+        const DisplacedTrace *trace = displaced_traced(&cache->displaced[drawable->mesh]);
+        material_set_number(material, "trace_parts", (float)trace->parts);
+        material_set_number(material, "trace_hull", (float)trace->triangles);
+        material_set_number(material, "trace_turn", drawable->mirrored ? -1 : 1);
+        set(material, "trace_viewer", 4, source->space->spaces.viewer);
+        set_pixel(source, material);
+        gl->FrontFace(drawable->mirrored ? GL_CW : GL_CCW);
+        material_use(material);
+        texture_bind(gl, met, MET_UNIT);
+        if (kind->numbers)
+            gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_NUMBERS, kind->numbers);
+        draw_hulls(gl, cache, drawable->mesh, (int[]){drawable->first_seen, drawable->seen});
+    }
+    end(gl);
+}
+
+/* -- shadow maps */
+
+/* The determinant of three columns of rows x, y and w of a matrix. */
+static double minor_of(const double m[16], int a, int b, int c)
+{
+    static const int rows[3] = {0, 1, 3};
+    const int columns[3] = {a, b, c};
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const double first = m[4 * columns[0] + rows[i]];
+        sum += first * (m[4 * columns[1] + rows[(i + 1) % 3]] * m[4 * columns[2] + rows[(i + 2) % 3]] -
+                        m[4 * columns[1] + rows[(i + 2) % 3]] * m[4 * columns[2] + rows[(i + 1) % 3]]);
+    }
+    return sum;
+}
+
+/* Where all rays of a view meet, which it shows nowhere; where they are parallel, that is infinitely far: the direction in which depth grows. */
+static void find_viewer(const double m[16], float viewer[4])
+{
+    const double least = 1e-9;
+    double at[4] = {minor_of(m, 1, 2, 3), -minor_of(m, 0, 2, 3), minor_of(m, 0, 1, 3), -minor_of(m, 0, 1, 2)};
+    const double size = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+    const bool parallel = fabs(m[3]) + fabs(m[7]) + fabs(m[11]) < least * fabs(m[15]);
+    const double deep = m[2] * at[0] + m[6] * at[1] + m[10] * at[2];
+    const double scale = !parallel ? 1 / at[3] : (deep < 0 ? -1 : 1) / size;
+    for (int i = 0; i < 4; i++)
+        viewer[i] = parallel && i == 3 ? 0 : (float)(at[i] * scale);
+}
+
+void cache_trace_cast(GlContext *gl, Cache *cache, int mesh, const CacheTraceCast *cast)
+{
+    const CacheLight *light = cast->light;
+    Material *trace = &displaced_traced(&cache->displaced[mesh])->trace;
+    float viewer[4];
+    find_viewer(light->clip_from_world, viewer);
+    set(trace, "trace_viewer", 4, viewer);
+    set(trace, "trace_offset", 2, light->traced->offset);
+    set(trace, "trace_pixel", 2, (float[]){light->traced->pixel, light->traced->pixel});
+    material_use(trace);
+    begin(gl, cache, cache->views[1]);
+    draw_hulls(gl, cache, mesh, (int[]){cast->first, cast->count});
+    gl->CullFace(GL_BACK);
+    gl->Disable(GL_CULL_FACE);
+    gl->Disable(GL_DEPTH_CLAMP);
+}

@@ -1,0 +1,193 @@
+// Where the ray of a pixel meets a displaced patch: down the pyramid to triangles of a grid, the nearest of them first, and from the one that is met to the surface itself, by matc_displaced().
+// It gives the depth, and what finds that place again: a and b (trace_patch.glsl), the patch and the instance.
+//     A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray meets the triangle, two steps later a point of the surface that is off by less than 1e-7.
+layout(std430, binding = 5) readonly buffer TraceNodes {
+    vec4 trace_nodes[];
+};
+in vec3 trace_leaves;
+flat in vec4 trace_eye;
+flat in mat4 trace_clipFromLocal;
+flat in uint trace_place;
+uniform vec2 trace_pixel;  // of a picture, in clip space
+uniform vec2 trace_offset; // of depth, as glPolygonOffset has it: by the slope, and by the least step
+layout(location = 0) out uvec4 trace_seen;
+
+const int TRACE_STACK = 24; // three of each of at most six levels, and one
+
+struct TraceRay {
+    vec3 from, along; // at t <= 0 before the place where it leaves the hull
+    float begin;      // the least t
+};
+
+struct TraceHit {
+    float t;
+    vec2 at; // a and b
+    TracePart part;
+};
+
+// Perspective: t is from -1, the eye, to 0. Nothing before the near plane is met.
+TraceRay traceRay()
+{
+    TraceRay ray;
+    ray.from = trace_leaves;
+    ray.along = trace_eye.w > 0.0 ? trace_leaves - trace_eye.xyz : -trace_eye.xyz;
+    ray.begin = trace_eye.w > 0.0 ? -1.0 : -1e30;
+    vec4 from = trace_clipFromLocal * vec4(ray.from, 1.0), along = trace_clipFromLocal * vec4(ray.along, 0.0);
+    if (along.z < along.w)
+        ray.begin = max(ray.begin, (from.z - from.w) / (along.w - along.z));
+    return ray;
+}
+
+// When it enters the node, and when it leaves: not before, then it passes by.
+vec2 traceThrough(int number, TracePart part, vec4 from, vec4 inverse)
+{
+    int node = 2 * traceNode(number, part);
+    vec4 a = (trace_nodes[node] - from) * inverse, b = (trace_nodes[node + 1] - from) * inverse;
+    vec4 enter = min(a, b), leave = max(a, b);
+    return vec2(max(max(enter.x, enter.y), max(enter.z, enter.w)), min(min(leave.x, leave.y), min(leave.z, leave.w)));
+}
+
+// A triangle of the grid; neighbours overlap by a little, so that no ray goes between.
+void traceTriangle(int number, TracePart part, TraceRay ray, inout TraceHit hit)
+{
+    const float OVERLAP = 1e-4;
+    ivec2 corners[3];
+    traceCorners(part, corners);
+    vec3 p = traceVector(traceRow(number, corners[0]), TRACE_POSITION);
+    vec3 u = traceVector(traceRow(number, corners[1]), TRACE_POSITION) - p;
+    vec3 v = traceVector(traceRow(number, corners[2]), TRACE_POSITION) - p;
+    vec3 n = cross(u, v), to = p - ray.from;
+    float across = dot(n, ray.along);
+    if (across == 0.0)
+        return;
+    float t = dot(n, to) / across;
+    vec3 turned = cross(to, ray.along) / across;
+    float x = dot(v, turned), y = -dot(u, turned);
+    if (min(min(x, y), 1.0 - x - y) < -OVERLAP || t < ray.begin || t > hit.t)
+        return;
+    vec2 first = vec2(corners[0]), at = first + x * (vec2(corners[1]) - first) + y * (vec2(corners[2]) - first);
+    hit = TraceHit(t, clamp(at / float(trace_parts), vec2(0.0), vec2(1.0)), part);
+}
+
+int traceCode(TracePart part) { return part.level << 24 | int(part.between) << 20 | part.at.x << 10 | part.at.y; }
+TracePart tracePart(int code)
+{
+    return TracePart(code >> 24, ivec2(code >> 10, code) & 1023, (code >> 20 & 1) == 1);
+}
+
+// The nearest triangle; hit.t is 1 where there is none.
+TraceHit traceGrid(int number, TraceSpace space, TraceRay ray)
+{
+    TraceHit hit = TraceHit(1.0, vec2(0.0), TracePart(0, ivec2(0), false));
+    vec3 p = space.inner * (ray.from - space.corner), d = space.inner * ray.along;
+    vec4 from = vec4(p.xy, p.x - p.y, p.z), along = vec4(d.xy, d.x - d.y, d.z);
+    vec4 inverse = 1.0 / mix(along, vec4(1e-25), lessThan(abs(along), vec4(1e-25)));
+    int stack[TRACE_STACK], count = 1;
+    float enters[TRACE_STACK];
+    stack[0] = 0;
+    enters[0] = -1e30;
+    while (count > 0) {
+        count--;
+        TracePart part = tracePart(stack[count]);
+        if (enters[count] > hit.t)
+            continue;
+        bool last = 2 << part.level == trace_parts;
+        int first = count;
+        for (int k = 0; k < 4; k++) {
+            TracePart child = traceChild(part, k);
+            if (last) {
+                traceTriangle(number, child, ray, hit);
+                continue;
+            }
+            vec2 through = traceThrough(number, child, from, inverse);
+            if (through.x > through.y || through.y < ray.begin || through.x > min(hit.t, 0.0))
+                continue;
+            int at = count++; // the nearest on top
+            for (; at > first && enters[at - 1] < through.x; at--) {
+                stack[at] = stack[at - 1];
+                enters[at] = enters[at - 1];
+            }
+            stack[at] = traceCode(child);
+            enters[at] = through.x;
+        }
+    }
+    return hit;
+}
+
+// How the surface goes by a and b, by its triangle there.
+void traceSlopes(int number, TracePart part, out vec3 byA, out vec3 byB)
+{
+    ivec2 corners[3];
+    vec3 p[3];
+    traceCorners(part, corners);
+    for (int i = 0; i < 3; i++)
+        p[i] = traceVector(traceRow(number, corners[i]), TRACE_POSITION);
+    byA = float(trace_parts) * (part.between ? p[1] - p[2] : p[1] - p[0]);
+    byB = float(trace_parts) * (part.between ? p[2] - p[0] : p[2] - p[1]);
+}
+
+// From a triangle to the surface, no farther than its neighbours: Broyden's method on what the surface at (a, b) is off the ray at t, begun with the triangle's slopes, which each step corrects by what it finds.
+// Where that leads no nearer, as where the height jumps, the triangle is it.
+void traceSurface(int number, TraceRay ray, inout TraceHit hit)
+{
+    const int STEPS = 8;
+    const float NEAR = 1e-7; // of a ray's length
+    vec3 byA, byB, move = vec3(0.0), before = vec3(0.0);
+    traceSlopes(number, hit.part, byA, byB);
+    float volume = dot(cross(byA, byB), ray.along), least = 1e30, enough = NEAR * length(ray.along);
+    mat3 rows = mat3(cross(byB, ray.along), cross(ray.along, byA), -cross(byA, byB)) * (volume == 0.0 ? 0.0 : 1.0 / volume); // of the inverse of slopes
+    vec3 x = vec3(hit.at, hit.t), first = x;
+    for (int step = 0; step < STEPS; step++) {
+        displaceAt(uint(number), vec3(1.0 - x.x, x.x - x.y, x.y), false);
+        vec3 off = displaced_position - (ray.from + ray.along * x.z);
+        float size = dot(off, off);
+        if (size < least) {
+            least = size;
+            hit.at = x.xy;
+            hit.t = x.z;
+        }
+        vec3 found = (off - before) * rows; // a row times a vector, for each
+        float scale = dot(move, found);
+        if (step > 0 && abs(scale) > 1e-30) {
+            vec3 along = rows * move / scale, more = move - found;
+            rows += mat3(more.x * along, more.y * along, more.z * along);
+        }
+        vec3 to = x - off * rows;
+        to.xy = clamp(to.xy, first.xy - 1.0 / float(trace_parts), first.xy + 1.0 / float(trace_parts));
+        to.x = clamp(to.x, 0.0, 1.0);
+        to.y = clamp(to.y, 0.0, to.x);
+        move = to - x;
+        x = to;
+        before = off;
+        if (size < enough * enough || move == vec3(0.0))
+            break;
+    }
+}
+
+// What polygon offsets add, which do not count where depth is written.
+float traceOffset(int number, TracePart part, vec4 clip)
+{
+    vec3 byA, byB;
+    traceSlopes(number, part, byA, byB);
+    vec4 a = trace_clipFromLocal * vec4(byA, 0.0), b = trace_clipFromLocal * vec4(byB, 0.0);
+    vec3 ndc = clip.xyz / clip.w, rowA = (a.xyz - ndc * a.w) / clip.w, rowB = (b.xyz - ndc * b.w) / clip.w;
+    float turn = rowA.x * rowB.y - rowA.y * rowB.x;
+    vec2 slope = vec2(rowA.z * rowB.y - rowB.z * rowA.y, rowB.z * rowA.x - rowA.z * rowB.x) / (turn == 0.0 ? 1e-30 : turn);
+    float least = exp2(floor(log2(max(ndc.z, 1e-30))) - 23.0);
+    return trace_offset.x * max(abs(slope.x * trace_pixel.x), abs(slope.y * trace_pixel.y)) + trace_offset.y * least;
+}
+
+void main()
+{
+    int number = gl_PrimitiveID / 8; // triangles of a hull
+    TraceRay ray = traceRay();
+    TraceHit hit = traceGrid(number, traceSpace(number), ray);
+    if (hit.t > 0.0)
+        discard;
+    traceSurface(number, ray, hit);
+    vec4 clip = trace_clipFromLocal * vec4(ray.from + ray.along * hit.t, 1.0);
+    gl_FragDepth = clip.z / clip.w;
+    if (trace_offset != vec2(0.0))
+        gl_FragDepth += traceOffset(number, hit.part, clip);
+    trace_seen = uvec4(floatBitsToUint(hit.at), uint(number), trace_place + 1u);
+}

@@ -1,0 +1,76 @@
+// A patch that is traced: its triangles as grids have them (displaced_grid.c), and the space in which rays go through it.
+// In that space a point is (a, b, z): corner 0 + a (corner 1 - corner 0) + b (corner 2 - corner 1) + z n, with n the unit normal of the base triangle, 0 <= b <= a <= 1 within it.
+//     Row i of a grid of 4 parts, place j in it: the base is at a = i / 4, b = j / 4.
+layout(std430, binding = 4) readonly buffer TraceRows {
+    float trace_rows[]; // of MeshCaptured
+};
+uniform int trace_parts; // of an edge: a power of two
+
+const int TRACE_ROW = 17, TRACE_POSITION = 0, TRACE_NORMAL = 3, TRACE_TEXCOORD = 6, TRACE_TANGENT_U = 8, TRACE_TANGENT_V = 11, TRACE_BASE = 14;
+
+int traceRow(int number, ivec2 at)
+{
+    return TRACE_ROW * (number * ((trace_parts + 1) * (trace_parts + 2) / 2) + at.x * (at.x + 1) / 2 + at.y);
+}
+
+vec3 traceVector(int row, int part)
+{
+    return vec3(trace_rows[row + part], trace_rows[row + part + 1], trace_rows[row + part + 2]);
+}
+
+struct TraceSpace {
+    vec3 corner; // 0
+    mat3 local;  // from that space
+    mat3 inner;  // to it; 0 where the base triangle has no area
+};
+
+TraceSpace traceSpace(int number)
+{
+    TraceSpace space;
+    space.corner = traceVector(traceRow(number, ivec2(0)), TRACE_BASE);
+    vec3 first = traceVector(traceRow(number, ivec2(trace_parts, 0)), TRACE_BASE);
+    vec3 a = first - space.corner, b = traceVector(traceRow(number, ivec2(trace_parts)), TRACE_BASE) - first;
+    vec3 across = cross(a, b);
+    float area = length(across);
+    vec3 n = area > 0.0 ? across / area : vec3(0.0);
+    float scale = area > 0.0 ? 1.0 / area : 0.0; // of the determinant
+    space.local = mat3(a, b, n);
+    space.inner = transpose(mat3(cross(b, n) * scale, cross(n, a) * scale, n));
+    return space;
+}
+
+// A triangle of a level: row i, place j in it, and whether it lies between two others of its row: then it has its tip at the top.
+//     Of the corners below, (i, j), (i + 1, j), (i + 1, j + 1) are those of a triangle, (i, j), (i + 1, j + 1), (i, j + 1) of one between.
+struct TracePart {
+    int level;
+    ivec2 at;
+    bool between;
+};
+
+// Part 0 to 3 of it, a level finer.
+TracePart traceChild(TracePart of, int k)
+{
+    TracePart child = TracePart(of.level + 1, 2 * of.at, of.between);
+    if (of.between)
+        child.at += k == 0 ? ivec2(0) : k == 1 ? ivec2(0, 1) : ivec2(1, 1);
+    else
+        child.at += k == 0 ? ivec2(0) : k == 2 ? ivec2(1, 1) : ivec2(1, 0);
+    if (of.between && k == 3)
+        child.at = 2 * of.at + ivec2(0, 1);
+    child.between = of.between != (k == 3);
+    return child;
+}
+
+void traceCorners(TracePart part, out ivec2 corners[3])
+{
+    corners[0] = part.at;
+    corners[1] = part.at + (part.between ? ivec2(1, 1) : ivec2(1, 0));
+    corners[2] = part.at + (part.between ? ivec2(0, 1) : ivec2(1, 1));
+}
+
+// Nodes of a patch: levels before the last, each 4^level of them in rows.
+int traceNode(int number, TracePart part)
+{
+    int before = ((1 << 2 * part.level) - 1) / 3, all = (trace_parts * trace_parts - 1) / 3;
+    return number * all + before + part.at.x * part.at.x + 2 * part.at.y + int(part.between);
+}

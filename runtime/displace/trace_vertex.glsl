@@ -1,0 +1,30 @@
+// Draws hulls of what is traced: where in the object's space a ray leaves, and whence it comes.
+layout(location = 0) in vec3 position;
+layout(location = 5) in uint matc_instance;
+struct Instance {
+    mat4 worldFromLocal;
+    mat3 worldNormalFromLocal;
+    uint material;
+};
+layout(std140, binding = 0) readonly buffer Instances {
+    Instance matc_instances[];
+};
+layout(std140, binding = 16) uniform View { // as what matc writes has it
+    mat4 matc_clipFromWorld;
+    mat3 matc_eyeNormalFromWorld;
+};
+uniform vec4 trace_viewer; // in the world: the eye and 1, or, of parallel rays, the direction toward it and 0
+out vec3 trace_leaves;
+flat out vec4 trace_eye; // the same in the object's space
+flat out mat4 trace_clipFromLocal;
+flat out uint trace_place;
+
+void main()
+{
+    mat4 worldFromLocal = matc_instances[matc_instance].worldFromLocal;
+    trace_leaves = position;
+    trace_eye = inverse(worldFromLocal) * trace_viewer;
+    trace_clipFromLocal = matc_clipFromWorld * worldFromLocal;
+    trace_place = matc_instance;
+    gl_Position = matc_clipFromWorld * (worldFromLocal * vec4(position, 1.0));
+}

@@ -1,0 +1,289 @@
+/* Surfaces that are traced, drawn under OSMesa: a wave against its closed form, which is marched through in double; a ball and a box of rock against Embree's rays through meshes that the C reference displaced
+ * finely; shadow maps; exact shadows, which get the grid instead. */
+#include "tests/frame/frame_compare.h"
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/reference_ray.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { EDGE = 64, PIXELS = EDGE * EDGE };
+
+#define WAVE "0.15"
+static const char materials[] = "materials:\n"
+                                "  wave: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: " WAVE
+                                ", displacement: { map: Gradient, direction: [7, 3, 0], waveForm: Sin } }\n"
+                                "  rock: { material: Phong, diffuse: { map: Checker, input: { map: UVTransform, "
+                                "scaleU: 9, scaleV: 7 } }, emissive: 0.2, displacementScale: 0.2,\n"
+                                "    displacement: { map: VolumeTurbulence, size: 2, octaves: 2, noiseRatio: 0.5 } }\n"
+                                "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n";
+static const char square[] = "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: wave, transform: { "
+                             "translation: [-1, -1, 0] } }\n";
+static const char ball[] = "- { object: Sphere, radius: 0.9, material: rock, detail: 12 }\n";
+static const char box[] = "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, "
+                          "0.1], scale: [1, 1, -1] } }\n";
+static const char ground[] = "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { "
+                             "translation: [-4, -4, -1] } }\n";
+
+typedef struct {
+    const char *how, *camera, *lights, *objects, *more;
+} Text;
+
+static Scene *open_scene(const Text *of, const MatcOptions *options, MatcDocument **document)
+{
+    char text[4000];
+    snprintf(text, sizeof text,
+             "image: { width: %d, height: %d }\ncamera: { %s }\nshadowMaps: { size: 256 }\n%sdisplacement: { %s "
+             "}\nlights: [%s]\nobjects:\n%s%s",
+             EDGE, EDGE, of->camera, materials, of->how, of->lights, of->objects, of->more ? of->more : "");
+    return frame_scene(text, options, document);
+}
+
+static Render *renderer(GlContext *gl, const MatcOptions *options, const char *view)
+{
+    Render *render = render_open(gl, &(RenderOptions){.compile = options, .view = view});
+    assert_non_null(render);
+    return render;
+}
+
+/* By a renderer that has drawn others of that view: programs are there once. */
+static float *picture(GlContext *gl, Render *render, const Text *of)
+{
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene = open_scene(of, &options, &document);
+    float *made = frame_floats_by(gl, render, scene);
+    frame_forget(scene, document);
+    return made;
+}
+
+/* What a picture is off the truth: distances where both meet the body; and pixels in which one of them does alone. */
+typedef struct {
+    double off[PIXELS];
+    int count, disagree;
+} Judged;
+
+static void judge(Judged *judged, double distance, double truth)
+{
+    if (isfinite(distance) != isfinite(truth))
+        judged->disagree++;
+    else if (isfinite(truth))
+        judged->off[judged->count++] = fabs(distance - truth);
+}
+
+static double quantile(Judged *judged, double share)
+{
+    qsort(judged->off, (size_t)judged->count, sizeof *judged->off, ascending);
+    return judged->off[(int)(share * (judged->count - 1))];
+}
+
+/* -- the closed form */
+
+static double above(const Ray *ray, double t)
+{
+    const double x = ray->at[0] + t * ray->way[0] + 1, y = ray->at[1] + t * ray->way[1] + 1;
+    return ray->at[2] + t * ray->way[2] - strtod(WAVE, NULL) * sin(7 * x + 3 * y);
+}
+
+/* Where the ray first comes below the wave over the square; infinite: nowhere. */
+static double march(const Ray *ray)
+{
+    enum { STEPS = 400, HALVES = 50 };
+    const double begin = (.16 - ray->at[2]) / ray->way[2], end = (-.16 - ray->at[2]) / ray->way[2];
+    for (int i = 0; i < STEPS; i++) {
+        double low = begin + (end - begin) * i / STEPS, high = begin + (end - begin) * (i + 1) / STEPS;
+        if (above(ray, low) < 0 || above(ray, high) >= 0)
+            continue;
+        for (int k = 0; k < HALVES; k++)
+            *(above(ray, (low + high) / 2) < 0 ? &high : &low) = (low + high) / 2;
+        const double x = ray->at[0] + low * ray->way[0], y = ray->at[1] + low * ray->way[1];
+        return fabs(x) < 1 && fabs(y) < 1 ? low : INFINITY;
+    }
+    return INFINITY;
+}
+
+/* Of a pixel. NAN beside an outline: there rays a third of a pixel away come elsewhere. */
+static double find_truth(const Scene *scene, int k)
+{
+    const Ray middle = reference_ray(scene, k % EDGE + .5, k / EDGE + .5);
+    const double truth = march(&middle);
+    for (int i = 0; i < 4; i++) {
+        const Ray ray = reference_ray(scene, k % EDGE + .5 + (i & 1 ? .3 : -.3), k / EDGE + .5 + (i & 2 ? .3 : -.3));
+        const double other = march(&ray);
+        if (isfinite(other) != isfinite(truth) || (isfinite(truth) && fabs(other - truth) > .1))
+            return NAN;
+    }
+    return truth;
+}
+
+/* From the side, so that crests hide what is behind them. A grid of 32 parts is off by what its triangles are; traced, it is off by what floats are. */
+static void a_wave_is_that_of_its_closed_form(void **state)
+{
+    (void)state;
+    static const char *const how[] = {"method: traced, level: 32", "method: grid, level: 32"};
+    static Judged judged[2];
+    static double truths[PIXELS]; /* NAN: beside an outline */
+    const char camera[] = "camera: Perspective, position: [0.4, -2.6, 0.8], target: [0, 0, 0], angle: 45";
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    Render *render = renderer(gl, &options, "depth");
+    for (int i = 0; i < 2; i++) {
+        const Text text = {how[i], camera, "", square, NULL};
+        MatcDocument *document;
+        Scene *scene = open_scene(&text, &options, &document);
+        float *depth = frame_floats_by(gl, render, scene);
+        for (int k = 0; k < PIXELS; k++) {
+            if (i == 0)
+                truths[k] = find_truth(scene, k);
+            if (!isnan(truths[k]))
+                judge(&judged[i], scene->camera.near / (double)depth[4 * k], truths[k]);
+        }
+        free(depth);
+        frame_forget(scene, document);
+        print_message("%-26s %d pixels, half within %.2g, 99 %% within %.2g; %d at outlines\n", how[i], judged[i].count,
+                      quantile(&judged[i], .5), quantile(&judged[i], .99), judged[i].disagree);
+    }
+    render_close(render);
+    gl_close(gl);
+    assert_true(judged[0].count > PIXELS / 5);
+    assert_true(quantile(&judged[0], .5) < 1e-6 && quantile(&judged[0], .99) < 1e-5 && judged[0].disagree <= 2);
+    assert_true(quantile(&judged[1], .5) > 1e-4);
+}
+
+/* -- against meshes, finely divided */
+
+/* A body, what its reference and the others are divided into. */
+typedef struct {
+    const char *body, *fine, *traced, *grid;
+} Body;
+
+static void judge_body(const Scene *scene, const Tracer *tracer, const float *depth, Judged *judged)
+{
+    for (int k = 0; k < PIXELS; k++) {
+        const Ray ray = reference_ray(scene, k % EDGE + .5, k / EDGE + .5);
+        const Hit hit = reference_hit(tracer, &ray, 0);
+        judge(judged, scene->camera.near / (double)depth[4 * k], hit.object < 0 ? INFINITY : hit.distance);
+    }
+}
+
+static void judge_normals(const float *normal, const float *wanted, Judged *judged)
+{
+    for (int k = 0; k < PIXELS; k++) {
+        double off = 0;
+        for (int lane = 0; lane < 3; lane++)
+            off = fmax(off, fabs((double)normal[4 * k + lane] - (double)wanted[4 * k + lane]));
+        if (normal[4 * k + 3] > 0 && wanted[4 * k + 3] > 0)
+            judged->off[judged->count++] = off;
+    }
+}
+
+/* Distances by Embree's rays, and normals, of a body whose base is curved, and of one with hard edges that is mirrored: what they are off is what the reference's own triangles are. */
+static void bodies_are_those_of_fine_meshes(void **state)
+{
+    (void)state;
+    static const Body bodies[] = {
+        {ball, "method: mesh, level: 16", "method: traced, level: 4", "method: grid, level: 4"},
+        {box, "method: mesh, level: 64", "method: traced, level: 16", "method: grid, level: 16"}};
+    const char camera[] = "camera: Perspective, position: [1, -3, 2], angle: 40";
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    Render *depth = renderer(gl, &options, "depth"), *normals_of = renderer(gl, &options, "normal");
+    for (int i = 0; i < 2; i++) {
+        static Judged traced, grid, normals;
+        const Text fine = {bodies[i].fine, camera, "", bodies[i].body, NULL},
+                   by_rays = {bodies[i].traced, camera, "", bodies[i].body, NULL},
+                   by_grid = {bodies[i].grid, camera, "", bodies[i].body, NULL};
+        MatcDocument *document;
+        Scene *scene = open_scene(&fine, &options, &document);
+        Tracer tracer = reference_open(scene);
+        float *of_fine = picture(gl, normals_of, &fine), *normal = picture(gl, normals_of, &by_rays),
+              *depths[2] = {picture(gl, depth, &by_rays), picture(gl, depth, &by_grid)};
+        traced.count = grid.count = normals.count = traced.disagree = 0;
+        judge_body(scene, &tracer, depths[0], &traced);
+        judge_body(scene, &tracer, depths[1], &grid);
+        judge_normals(normal, of_fine, &normals);
+        print_message("%s: half within %.2g, 95 %% within %.2g; the grid %.2g, %.2g; normals %.2g, %.2g; of %d pixels "
+                      "%d at outlines\n",
+                      bodies[i].traced, quantile(&traced, .5), quantile(&traced, .95), quantile(&grid, .5),
+                      quantile(&grid, .95), quantile(&normals, .5), quantile(&normals, .95), traced.count,
+                      traced.disagree);
+        reference_close(&tracer);
+        free(depths[0]);
+        free(depths[1]);
+        free(normal);
+        free(of_fine);
+        frame_forget(scene, document);
+        assert_true(traced.count > 500 && traced.disagree <= 48);
+        assert_true(8 * quantile(&traced, .5) < quantile(&grid, .5));
+        assert_true(quantile(&normals, .5) < 2e-3);
+    }
+    render_close(depth);
+    render_close(normals_of);
+    gl_close(gl);
+}
+
+/* -- other passes */
+
+static int differing(const float *a, const float *b)
+{
+    int count = 0;
+    for (int i = 0; i < PIXELS; i++)
+        count += fabsf(a[4 * i] - b[4 * i]) > .02f;
+    return count;
+}
+
+/* Sun and lamp over a body and the ground below it: as of a fine mesh, and nearer to it than a grid's. */
+static void shadow_maps_see_what_is_traced(void **state)
+{
+    (void)state;
+    static const char *const lights[] = {"{ light: Directional, direction: [1, 0.6, -1] }",
+                                         "{ light: Point, position: [-1, -2, 3], intensity: 12, shadows: map }"};
+    const char camera[] = "camera: Perspective, position: [1, -3, 2], angle: 60";
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    Render *render = renderer(gl, &options, "light");
+    for (int i = 0; i < 2; i++) {
+        static const char *const how[] = {"method: mesh, level: 16", "method: traced, level: 4",
+                                          "method: grid, level: 4"};
+        float *light[3];
+        for (int k = 0; k < 3; k++)
+            light[k] = picture(gl, render, &(Text){how[k], camera, lights[i], ball, ground});
+        const int traced = differing(light[0], light[1]), grid = differing(light[0], light[2]);
+        print_message("%s: %d of %d pixels differ; of a grid %d\n", lights[i], traced, PIXELS, grid);
+        assert_true(2 * traced < grid && traced < PIXELS / 50);
+        for (int k = 0; k < 3; k++)
+            free(light[k]);
+    }
+    render_close(render);
+    gl_close(gl);
+}
+
+/* Pictures that go by triangles have the grid: bit for bit. */
+static void exact_shadows_have_the_grid(void **state)
+{
+    (void)state;
+    static const char *const how[] = {"method: grid, level: 4", "method: traced, level: 4"};
+    const char camera[] = "camera: Perspective, position: [1, -3, 2], angle: 60",
+               exact[] = "{ light: Directional, direction: [1, 0.6, -1], shadows: exact }";
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    Render *render = renderer(gl, &options, "light");
+    float *light[2];
+    for (int k = 0; k < 2; k++)
+        light[k] = picture(gl, render, &(Text){how[k], camera, exact, ball, ground});
+    assert_memory_equal(light[0], light[1], 4 * PIXELS * sizeof(float));
+    free(light[0]);
+    free(light[1]);
+    render_close(render);
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_wave_is_that_of_its_closed_form),
+        cmocka_unit_test(bodies_are_those_of_fine_meshes),
+        cmocka_unit_test(shadow_maps_see_what_is_traced),
+        cmocka_unit_test(exact_shadows_have_the_grid),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
