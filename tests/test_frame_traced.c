@@ -119,14 +119,15 @@ static double find_truth(const Scene *scene, int k)
 static void a_wave_is_that_of_its_closed_form(void **state)
 {
     (void)state;
-    static const char *const how[] = {"method: traced, level: 32", "method: grid, level: 32"};
-    static Judged judged[2];
+    static const char *const how[] = {"method: traced, level: 32", "method: grid, level: 32",
+                                      "method: parallax, level: 32"};
+    static Judged judged[3];
     static double truths[PIXELS]; /* NAN: beside an outline */
     const char camera[] = "camera: Perspective, position: [0.4, -2.6, 0.8], target: [0, 0, 0], angle: 45";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     Render *render = renderer(gl, &options, "depth");
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         const Text text = {how[i], camera, "", square, NULL};
         MatcDocument *document;
         Scene *scene = open_scene(&text, &options, &document);
@@ -147,6 +148,7 @@ static void a_wave_is_that_of_its_closed_form(void **state)
     assert_true(judged[0].count > PIXELS / 5);
     assert_true(quantile(&judged[0], .5) < 1e-6 && quantile(&judged[0], .99) < 1e-5 && judged[0].disagree <= 2);
     assert_true(quantile(&judged[1], .5) > 1e-4);
+    assert_true(quantile(&judged[2], .5) < 1e-5);
 }
 
 /* -- against meshes, finely divided */

@@ -1,6 +1,5 @@
 /* Line by line: declarations of what goes from stage to stage become those of variables. */
 #include "runtime/cache/trace_text.h"
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,13 +21,27 @@ typedef struct {
     char way[NAME], type[NAME], name[NAME];
 } Declared;
 
+/* The next word of a line; what is behind it. */
+static const char *read_word(const char *at, char word[NAME])
+{
+    at += strspn(at, " ");
+    const size_t length = strcspn(at, " ;\n"), size = length < NAME ? length : NAME - 1;
+    memcpy(word, at, size);
+    word[size] = 0;
+    return at + size;
+}
+
 static bool read_declared(const char *line, Declared *made)
 {
-    int location;
-    return sscanf(line, "layout(location = %d) flat %63s %63s %63[A-Za-z0-9_]", &location, made->way, made->type,
-                  made->name) == 4 ||
-           sscanf(line, "layout(location = %d) %63s %63s %63[A-Za-z0-9_]", &location, made->way, made->type,
-                  made->name) == 4;
+    static const char head[] = "layout(location = ";
+    const char *at = strncmp(line, head, sizeof head - 1) ? NULL : strchr(line, ')');
+    if (!at)
+        return false;
+    at = read_word(at + 1, made->way);
+    if (!strcmp(made->way, "flat"))
+        at = read_word(at, made->way);
+    at = read_word(read_word(at, made->type), made->name);
+    return *at == ';' && (!strcmp(made->way, "in") || !strcmp(made->way, "out"));
 }
 
 /* The rest of a line, with words that stand for what is traced. */
