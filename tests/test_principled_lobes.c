@@ -35,8 +35,9 @@ static const char tools[] =
     "vec3(varied(p, 0.415), 0.2 + 0.8 * varied(p, 0.29), 0.1 * varied(p, 0.653)), vec2(varied(p, 0.811), 0.2 + 0.8 * varied(p, 0.177)));\n"
     "    s.coatTint = vec3(1.0, 0.7, varied(p, 0.55)); s.fuzzColor = vec3(varied(p, 0.345), 0.5, 1.0); return s; }\n";
 static const char fits[] =
-    "vec4 passPixel(ivec2 p) { float r = 0.2 + 0.8 * float(p.y) / (SIDE - 1.0), full = roughOf(p); "
-    "return vec4(fuzzAlbedo(cosineOf(p), r), coatAlbedo(coatMeans(full), 0.05), fuzzMean(r), 1.0); }\n";
+    "vec4 passPixel(ivec2 p) { float r = 0.2 + 0.8 * float(p.y) / (SIDE - 1.0);\n"
+    "    Lit m = surfaceLit(made(vec3(1.0), vec3(1.0, roughOf(p), 0.0), vec3(1.0, roughOf(p), 0.05), vec2(1.0, r)), toward(cosineOf(p), 0.0));\n"
+    "    return vec4(fuzzAlbedo(cosineOf(p), r), 1.0 - m.coatMean, 1.0 - m.fuzzMean, 1.0); }\n";
 static const char lobes[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(mixed(p), toward(cosineOf(p), 0.0)); "
     "return vec4(surfaceLobe(m, toward(0.1 + 0.85 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, 0.91)) * roughOf(p))), 1.0); }\n";
@@ -194,10 +195,17 @@ static double smooth(double low, double high, double x)
     return t * t * (3 - 2 * t);
 }
 
-/* Both directions by what a layer lets through of each; `even` as the GLSL says it. */
-static double veil(double light, double eye, double mean, double even)
+/* Both directions by what a layer lets through of each; how evenly the base sends, as the GLSL says it. */
+typedef struct {
+    double light, eye, mean;
+} Through;
+
+static double even_of(double rough, double cosine) { return .86 * smooth(.05, .35 + .9 * sqrt(cosine), rough); }
+
+static double veil(const Through *of, double rough, double l, double cosine)
 {
-    return light * eye / sqrt((light * (1 - even) + mean * even) * (eye * (1 - even) + mean * even));
+    const double light = even_of(rough, l), eye = even_of(rough, cosine);
+    return of->light * of->eye / sqrt((of->light * (1 - light) + of->mean * light) * (of->eye * (1 - eye) + of->mean * eye));
 }
 
 /* Once reflected by GGX, with Fresnel's term 1. */
@@ -211,27 +219,91 @@ static double once_of(double a, double cosine, double l, double turn, double *fa
     return d / (1 + of_eye + of_light) / (4 * cosine);
 }
 
-/* All lobes of lane 1 of a pixel's surface, of no metal, by their definitions and integrals. */
+/* A base of a roughness below a coat and fuzz, over all directions: by the root of the cosine, at the middles of steps. */
+enum { STEPS = 24 };
+typedef struct {
+    double rough, alpha, stray; /* of the base, the last as the GLSL says it */
+    double base[STEPS][2], coat[STEPS], fuzz[STEPS]; /* albedos; what is let through */
+    double base_mean[2], coat_mean, fuzz_mean;
+} Layers;
+
+static double step_share(int i) { return 4 * pow((i + .5) / STEPS, 3) / STEPS; }
+
+static double between_steps(const double *values, double cosine)
+{
+    const double at = fmin(fmax(sqrt(cosine) * STEPS - .5, 0), STEPS - 1.001), part = at - floor(at);
+    return values[(int)at] * (1 - part) + values[(int)at + 1] * part;
+}
+
+/* What of all light a white base reflects once below a layer, by visible facets; `left` is what that lets through, by the cosine. */
+static double once_below(const Layers *of, const double *left, double mean, double cosine)
+{
+    enum { RINGS = 48, TURNS = 48 };
+    const double alpha = of->alpha, vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine), wx = alpha * vx / size, wz = cosine / size;
+    const double eye = sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine);
+    double sum = 0;
+    for (int i = 0; i < RINGS * TURNS; i++) {
+        const double r = sqrt((i / TURNS + .5) / RINGS), turn = 2 * PI * (i % TURNS + .5) / TURNS, t = r * cos(turn), k = .5 + .5 * wz;
+        const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(turn), up = sqrt(fmax(1 - t * t - s * s, 0));
+        const double h[3] = {alpha * (s * -wz + up * wx), alpha * t, fmax(s * wx + up * wz, 0)};
+        const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]), l = 2 * (vx * h[0] + cosine * h[2]) / length * h[2] / length - cosine;
+        if (l > 0)
+            sum += l * (cosine + eye) / (cosine * sqrt(alpha * alpha + (1 - alpha * alpha) * l * l) + l * eye) *
+                   veil(&(Through){between_steps(left, l), between_steps(left, cosine), mean}, of->rough, l, cosine);
+    }
+    return sum / (RINGS * TURNS);
+}
+
+/* What that lacks of what the layers let through. */
+static double strayed(const Layers *of, double cosine, double albedo)
+{
+    const double coat = between_steps(of->coat, cosine), fuzz = between_steps(of->fuzz, cosine);
+    const double by_coat = albedo * coat - (1 - of->stray) * once_below(of, of->coat, of->coat_mean, cosine);
+    return fmax(by_coat * fuzz + coat * (albedo * fuzz - once_below(of, of->fuzz, of->fuzz_mean, cosine)), 0);
+}
+
+/* All lobes of lane 1 of a pixel's surface by their definitions and integrals. */
 static double lobe_of(int i, double cosine, double l, double turn)
 {
-    const double rough = rough_of(i / SIDE), a = rough * rough, base = varied(i, .382), metal = varied(i, .733), f0 = .3 * varied(i, .137);
+    const double rough = rough_of(i / SIDE), base = varied(i, .382), metal = varied(i, .733), f0 = .3 * varied(i, .137);
     const double coat = varied(i, .415), coat_rough = .2 + .8 * varied(i, .29), c0 = .1 * varied(i, .653), fuzz = varied(i, .811),
-                 fuzz_rough = .2 + .8 * varied(i, .177);
-    double v[2], w[2], m[2], cv[2], cw[2], cm[2], facing;
-    integrate(cosine, a, v), integrate(l, a, w), mean_of(a, m);
-    integrate(cosine, coat_rough * coat_rough, cv), integrate(l, coat_rough * coat_rough, cw), mean_of(coat_rough * coat_rough, cm);
-    const double through[3] = {1 - coat * fresnel(cw, c0), 1 - coat * fresnel(cv, c0), 1 - coat * fresnel(cm, c0)};
-    const double below[3] = {1 - fuzz * fuzz_albedo(fuzz_rough, l), 1 - fuzz * fuzz_albedo(fuzz_rough, cosine), 1 - fuzz * fuzz_mean(fuzz_rough)};
-    const double even = .85 * smooth(.05, .75, rough), coat_even = .85 * smooth(.05, .75, coat_rough);
-    const double matt = veil(through[0], through[1], through[2], 1) * veil(below[0], below[1], below[2], 1);
-    const double mirrored = veil(through[0], through[1], through[2], even) * veil(below[0], below[1], below[2], even);
-    const double once = once_of(a, cosine, l, turn, &facing) * mirrored, again = l * (1 - v[0]) * (1 - w[0]) / (1 - m[0]) * matt;
-    const double schlick = pow(1 - facing, 5), mean_f = f0 + (1 - f0) / 21, ms = mean_f * mean_f * m[0] / (1 - mean_f * (1 - m[0]));
-    const double sv = fresnel(v, f0) + (1 - v[0]) * ms, sl = fresnel(w, f0) + (1 - w[0]) * ms, sm = fresnel(m, f0) + (1 - m[0]) * ms;
-    const double mean_m = base + (1 - base) / 21, ms_m = mean_m * mean_m * m[0] / (1 - mean_m * (1 - m[0]));
-    const double plain = l * base * (1 - sv) * (1 - sl) / (1 - sm) * matt + once * (f0 + (1 - f0) * schlick) + again * ms;
-    const double of_metal = once * (base + (1 - base) * schlick) + again * ms_m;
-    const double shine = coat * once_of(coat_rough * coat_rough, cosine, l, turn, &facing) * (c0 + (1 - c0) * schlick) * veil(below[0], below[1], below[2], coat_even);
+                 fuzz_rough = .2 + .8 * varied(i, .177), a = rough * rough, ca = coat_rough * coat_rough;
+    Layers of = {.rough = rough, .alpha = a};
+    of.stray = .022 * coat * (1 - c0) * pow(1 - ca, 5) * 1.0563 * smooth(.1, .35, rough);
+    double v[2], w[2], found[2], facing;
+    for (int k = 0; k < STEPS; k++) {
+        const double at = pow((k + .5) / STEPS, 2);
+        integrate(at, a, of.base[k]), integrate(at, ca, found);
+        of.coat[k] = 1 - coat * fresnel(found, c0);
+        of.fuzz[k] = 1 - fuzz * fuzz_albedo(fuzz_rough, at);
+        of.coat_mean += step_share(k) * of.coat[k], of.fuzz_mean += step_share(k) * of.fuzz[k];
+        for (int n = 0; n < 2; n++)
+            of.base_mean[n] += step_share(k) * of.base[k][n];
+    }
+    integrate(cosine, a, v), integrate(l, a, w);
+    integrate(cosine, ca, found);
+    const double coat_v = 1 - coat * fresnel(found, c0), fuzz_v = 1 - fuzz * fuzz_albedo(fuzz_rough, cosine);
+    integrate(l, ca, found);
+    const double coat_l = 1 - coat * fresnel(found, c0), fuzz_l = 1 - fuzz * fuzz_albedo(fuzz_rough, l), through = coat_v * coat_l * fuzz_v * fuzz_l;
+    const double mean_f = f0 + (1 - f0) / 21, ms = mean_f * mean_f * of.base_mean[0] / (1 - mean_f * (1 - of.base_mean[0]));
+    const double more = 1 + 1.75 * smooth(.15, .4, rough);
+    double matt = 0, again = 0, stray[2] = {0}; /* means of what is left, with what layers let through of it */
+    for (int k = 0; k < STEPS; k++) {
+        const double left = step_share(k) * of.coat[k] * of.fuzz[k];
+        matt += left * (1 - fresnel(of.base[k], f0) - (1 - of.base[k][0]) * ms);
+        again += left * (1 - of.base[k][0]);
+        const double lacks = step_share(k) * strayed(&of, pow((k + .5) / STEPS, 2), of.base[k][0]);
+        stray[0] += lacks, stray[1] += lacks * more * fresnel(of.base[k], f0) / of.base[k][0];
+    }
+    const Through below = {fuzz_l, fuzz_v, of.fuzz_mean};
+    const double mirrored = (1 - of.stray) * veil(&(Through){coat_l, coat_v, of.coat_mean}, rough, l, cosine) * veil(&below, rough, l, cosine);
+    const double once = once_of(a, cosine, l, turn, &facing) * mirrored, twice = l * (1 - v[0]) * (1 - w[0]) / again * through;
+    const double spread = l * strayed(&of, cosine, v[0]) * strayed(&of, l, w[0]);
+    const double schlick = pow(1 - facing, 5), sv = fresnel(v, f0) + (1 - v[0]) * ms, sl = fresnel(w, f0) + (1 - w[0]) * ms;
+    const double mean_m = base + (1 - base) / 21, ms_m = mean_m * mean_m * of.base_mean[0] / (1 - mean_m * (1 - of.base_mean[0]));
+    const double plain = l * base * (1 - sv) * (1 - sl) / matt * through + once * (f0 + (1 - f0) * schlick) + twice * ms + spread * more * more * fresnel(v, f0) / v[0] * fresnel(w, f0) / w[0] / fmax(stray[1], 1e-6);
+    const double of_metal = once * (base + (1 - base) * schlick) + twice * ms_m + spread * mean_m / fmax(stray[0], 1e-6);
+    const double shine = coat * once_of(ca, cosine, l, turn, &facing) * (c0 + (1 - c0) * schlick) * veil(&below, coat_rough, l, cosine);
     return .7 * ((1 - metal) * plain + metal * of_metal) + shine + fuzz * .5 * fibres(fuzz_rough, cosine, l, turn);
 }
 
@@ -243,20 +315,20 @@ static void lobes_are_as_defined(void **state)
     GlContext *gl = frame_context();
     run(gl, lobes, said);
     gl_close(gl);
-    for (int i = SIDE; i < SIDE * SIDE; i += 7) { /* rows above the first, whose lobe is narrower than floats of the directions */
+    for (int i = SIDE; i < SIDE * SIDE; i += 11) { /* rows above the first, whose lobe is narrower than floats of the directions */
         const double turn = 3.14159 + (.5 - varied(i, .91)) * rough_of(i / SIDE);
         const double want = lobe_of(i, cosine_of(i % SIDE), .1 + .85 * varied(i, .5701), turn);
         worst = fmax(worst, fabs(said[i][1] - want) / (.25 + want));
     }
     print_message("lobes: within %.4f\n", worst);
-    assert_true(worst < .01);
+    assert_true(worst < .0125); /* the polynomials of what is spread are within 0.008 of white light, most of it here */
 }
 
 static void white_sends_all(void **state)
 {
     (void)state;
     static const char *const names[] = {"coat", "fuzz", "fuzz over a coat", "coat over metal"};
-    static const double lost[] = {.02, .02, .02, .036}, gained[] = {.01, .01, .01, .036};
+    static const double bound = .01;
     static float said[SIDE * SIDE][4];
     bool fine = true;
     GlContext *gl = frame_context();
@@ -269,7 +341,7 @@ static void white_sends_all(void **state)
             most = fmax(most, (double)said[i][k]);
         }
         print_message("white, %s: %.4f to %.4f\n", names[k], least, most);
-        fine &= least > 1 - lost[k] && most < 1 + gained[k];
+        fine &= least > 1 - bound && most < 1 + bound;
     }
     assert_true(fine);
 }

@@ -14,42 +14,76 @@
 #if defined(SURFACE_HAS_fuzz) && !defined(SURFACE_LACKS_fuzz)
 #define LIT_FUZZ
 #endif
+#if defined(LIT_COAT) || defined(LIT_FUZZ)
+#define LIT_LAYERS
+#endif
+// What of GGX's albedos depends on the roughness alone: polynomials in what an angle gives, by albedo().
+struct Gloss {
+    float alpha, rough;
+    vec4 loss, grazing;
+    vec2 lossMore, grazingMore;
+};
+
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // the share of what was reflected twice and more, of metal
     vec3 even, gloss; // what it sends of light from all around: diffusely, by reflection
-    float metal, alpha, rough, cosine, reflectance, again, kept, lossOfEye, baseOfEye, meanLoss, meanBase;
-    float grazing; // how much of light from all around is reflected because it grazes
+    Gloss facets;
+    float metal, alpha, cosine, reflectance, again, kept;
+    float lossOfEye, baseOfEye, meanLoss, meanBase; // as it leaves, and in the mean, with what layers let through of both
 #ifdef LIT_COAT
     vec3 coatTint;
-    float coat, coatShine, coatAlpha, coatRough, coatReflectance, coatGloss;
-    float coatOfEye, coatMean, coatMatt; // what is let through: of the eye's light, in the mean, in the mean of what goes on to the base
+    Gloss coatFacets;
+    float coat, coatShine, coatAlpha, coatReflectance, coatGloss;
+    float coatOfEye, coatMean; // what is let through: of the eye's light, in the mean
+    vec4 spread; // what a white rough mirror below lacks, by the angle
+    vec2 spreadMore;
+    float stray;
 #endif
 #ifdef LIT_FUZZ
     vec3 fuzzColor; // its weight in it
-    float fuzz, fuzzRough, fuzzOfEye, fuzzMean, fuzzMatt; // the same
+    float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // the same
+    vec4 fuzzSpread;
+    vec2 fuzzSpreadMore;
+#endif
+#ifdef LIT_LAYERS
+    vec3 metalBounce, dielectricBounce; // what the base reflects of light that layers send back to it
+    vec2 strayOfEye, meanStray;         // below(), of metal and of the dielectric
 #endif
 };
 
-// Albedos of the lobe with Fresnel's term 1: x is 1 - E, what is lost to facets behind others, y the part of E that Schlick's (1 - cosine)^5 has.
-// Polynomials, fitted to integrals of the lobe: within 0.0075 and 0.0075 for all roughnesses and angles (tests/test_principled.c).
-vec2 albedo(float cosine, float alpha, float rough)
+Gloss glossOf(float rough)
 {
-    vec4 a = vec4(1.0, alpha, alpha * alpha, alpha * alpha * alpha);
-    float s = cosine * (1.0 + alpha) / (cosine + alpha);
-    float loss = dot(a, vec4(0.00634693698, -0.00473154853, 0.00389329609, 0.00121399513)) +
-        s * (dot(a, vec4(-0.0671279429, 0.548630094, 1.97996088, -0.697315134)) +
-        s * (dot(a, vec4(2.02100602, -6.3290626, 4.26653632, -3.00341556)) +
-        s * (dot(a, vec4(-3.95883663, 15.2380571, -18.2050845, 10.2376181)) +
-        s * dot(a, vec4(1.99221029, -9.43930269, 13.7204664, -7.62444489)))));
-    vec4 r = vec4(1.0, rough, rough * rough, rough * rough * rough);
-    float r4 = r.z * r.z, x = sqrt(cosine + 0.5 * alpha);
-    float q = dot(r, vec4(0.998499904, 0.00679777259, -6.03906349, 8.02837019)) + 6.09351893 * r4 +
-        x * (dot(r, vec4(-0.013894471, 3.23717483, 16.1780769, -56.1228103)) + 7.70266709 * r4 +
-        x * (dot(r, vec4(-1.05040225, -11.3484384, 10.8545589, 59.4177572)) - 25.2731559 * r4 +
-        x * (dot(r, vec4(0.168108196, 9.27962622, -26.527742, -2.76189671)) + 7.59827104 * r4)));
-    q = clamp(q, 0.0, 1.0);
+    Gloss g;
+    float alpha = rough * rough;
+    vec4 a = vec4(1.0, alpha, alpha * alpha, alpha * alpha * alpha), r = vec4(1.0, rough, alpha, alpha * rough);
+    vec2 more = a.zw * a.z, moreRough = r.zw * r.z;
+    g.alpha = alpha;
+    g.rough = rough;
+    g.loss = vec4(dot(a, vec4(0.00563398208, -0.0843984781, 0.356630063, -0.616003578)) + dot(more, vec2(0.486410182, -0.144437895)),
+                    dot(a, vec4(0.041883195, 2.51902204, -7.23108312, 16.4288191)) + dot(more, vec2(-13.9349608, 4.21058823)),
+                    dot(a, vec4(1.08441251, -20.5015295, 82.6345043, -159.170619)) + dot(more, vec2(128.404945, -38.1080236)),
+                    dot(a, vec4(-1.32628322, 53.9185548, -253.968034, 500.640058)) + dot(more, vec2(-412.211923, 124.299324)));
+    g.lossMore = vec2(dot(a, vec4(-0.981185825, -53.4389793, 299.486867, -620.27736)) + dot(more, vec2(526.469036, -162.321269)),
+                    dot(a, vec4(1.17702241, 17.5301485, -119.667408, 263.41627)) + dot(more, vec2(-231.729768, 73.3007772)));
+    g.grazing = vec4(dot(r, vec4(1.00229858, -0.0693790402, -7.90042211, 12.1028064)) + dot(moreRough, vec2(87.3390786, -147.509621)),
+                    dot(r, vec4(-0.0748609383, 6.8437939, 33.6529518, -326.852167)) + dot(moreRough, vec2(135.047532, 484.87721)),
+                    dot(r, vec4(-0.928605093, -47.0745144, 166.337778, 695.952749)) + dot(moreRough, vec2(-1120.34262, -481.625648)),
+                    dot(r, vec4(1.56063199, 98.8272047, -721.720845, 86.4021829)) + dot(moreRough, vec2(1317.50747, 134.337864)));
+    g.grazingMore = vec2(dot(r, vec4(-4.14312206, -73.0814366, 848.262777, -1072.40906)) + dot(moreRough, vec2(-161.647723, -63.7352037)),
+                    dot(r, vec4(2.83756091, 10.8233579, -302.155228, 578.156651)) + dot(moreRough, vec2(-238.912745, 68.6817093)));
+    return g;
+}
+
+// Albedos of the lobe with Fresnel's term 1: x is 1 - E, what is lost to facets behind others, y the part of E that Schlick's (1 - cosine)^5 has.
+// Fitted to integrals of the lobe: within 0.0055 and 0.0035 for all roughnesses and angles (tests/test_principled.c).
+vec2 albedo(float cosine, Gloss g)
+{
+    float s = cosine * (1.0 + g.alpha) / (cosine + g.alpha), x = sqrt(cosine + 0.5 * g.alpha);
+    float loss = g.loss.x + s * (g.loss.y + s * (g.loss.z + s * (g.loss.w + s * (g.lossMore.x + s * g.lossMore.y))));
+    float q = g.grazing.x + x * (g.grazing.y + x * (g.grazing.z + x * (g.grazing.w + x * (g.grazingMore.x + x * g.grazingMore.y))));
     loss = clamp(loss, 0.0, 1.0);
+    q = clamp(q, 0.0, 1.0);
     return vec2(loss, (1.0 - loss) * q * q * q * q * q);
 }
 
@@ -57,19 +91,6 @@ vec2 albedo(float cosine, float alpha, float rough)
 float reflectedOf(vec2 albedo, float reflectance, float again)
 {
     return mix(albedo.y, 1.0 - albedo.x, reflectance) + albedo.x * again;
-}
-
-// The mean over all directions, by Gauss' rule in the root of the cosine.
-vec2 meanAlbedo(float alpha, float rough)
-{
-    const vec4 PLACE = vec4(0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558);
-    const vec4 WEIGHT = vec4(0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226);
-    vec2 sum = vec2(0.0);
-    for (int i = 0; i < 8; i++) {
-        float t = 0.5 * PLACE[i & 3] + (i < 4 ? 0.0 : 0.5);
-        sum += 2.0 * WEIGHT[i & 3] * t * t * t * albedo(t * t, alpha, rough);
-    }
-    return sum;
 }
 
 // GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the header; h is the half vector.
@@ -82,16 +103,17 @@ float facets(float alpha, vec3 normal, vec3 h, float cosine, float eye)
     return 0.5 * cosine * alpha2 / (width * width * masked);
 }
 
-#if defined(LIT_COAT) || defined(LIT_FUZZ)
-// What a layer leaves of light that goes in by one direction and out by another, by what it lets through of each, and of all in the mean: the same when
-// both change places. A mirror below has the same share both ways, which counts once; what is sent evenly counts the one over the mean, times the
-// other. A rough mirror is between: `even` was fitted so that white below stays white within 0.03 (tests/test_principled.c).
-float veil(float through, float eye, float mean, float even)
+#ifdef LIT_LAYERS
+// What a layer leaves of light that is reflected below it, by what it lets through of each direction, and of all in the mean: the same when both
+// change places. A mirror has the same share both ways, which counts once; what is sent evenly counts the one over the mean, times the other. A
+// rough mirror is between, by `even`; what that lacks is spread, see below().
+float veil(float through, float eye, float mean, vec2 even)
 {
-    return through * eye * inversesqrt(max(mix(through, mean, even) * mix(eye, mean, even), 1e-8));
+    return through * eye * inversesqrt(max(mix(through, mean, even.x) * mix(eye, mean, even.y), 1e-8));
 }
 
-float evenOf(float rough) { return 0.85 * smoothstep(0.05, 0.75, rough); }
+// Of the light's angle and the eye's: what grazes is spread most.
+vec2 evenOf(float rough, vec2 cosines) { return 0.86 * smoothstep(vec2(0.05), 0.35 + 0.9 * sqrt(cosines), vec2(rough)); }
 #endif
 
 #ifdef LIT_FUZZ
@@ -106,7 +128,7 @@ float fuzzAlbedo(float cosine, float rough)
         x * dot(r, vec4(1.08179061, -3.5441627, 4.07626323, -1.60441801)))), 0.0, 1.0);
 }
 
-float fuzzMean(float r) { return 0.0881620773 + r * (0.42777512 + r * (-0.456029773 + r * 0.182884797)); }
+float fuzzThrough(Lit m, float cosine) { return 1.0 - m.fuzz * fuzzAlbedo(cosine, m.fuzzRough); }
 
 // Fibres that stand up, by the sine of the half angle (Estevez and Kulla 2017), masked as Neubelt and Pettineo have it.
 float fibres(float rough, float high, float cosine, float eye)
@@ -120,43 +142,61 @@ float fibres(float rough, float high, float cosine, float eye)
 // What the coat reflects of all that arrives from a direction; light that it reflects more than once goes to what lies below.
 float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - albedo.x, reflectance); }
 
-// Means of albedo over all directions, by polynomials in the roughness: of what a coat reflects within 0.0005.
-vec2 coatMeans(float rough)
+float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatFacets), m.coatReflectance); }
+
+void spreadOfCoat(inout Lit m)
 {
-    float r = rough;
-    return clamp(vec2(0.00146749718 + r * (-0.0284925137 + r * (-0.0733768949 + r * (1.71938923 - r * 1.02655571))),
-                      0.0481269953 + r * (0.0686805341 + r * (-0.537455356 + r * (0.716137831 - r * 0.292122978)))), 0.0, 1.0);
+    float r = m.facets.rough, smoother = 1.0 - m.coatFacets.rough * m.coatFacets.rough, smoother2 = smoother * smoother;
+    float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563; // 1 of a smooth coat of index 1.6
+    vec4 p = vec4(1.0, r, r * r, r * r * r);
+    vec2 q = p.zw * p.z; // r^4, r^5
+    m.spread = share * vec4(dot(p, vec4(-0.00130984306, -0.417861106, 4.05993299, -11.3099923)) + dot(q, vec2(12.3168581, -4.62782787)),
+                            dot(p, vec4(0.0231338713, 2.69639512, -39.5255634, 130.812048)) + dot(q, vec2(-157.97401, 63.9101199)),
+                            dot(p, vec4(-0.454080765, 9.82544167, 32.1314982, -272.816322)) + dot(q, vec2(431.543338, -200.278106)),
+                            dot(p, vec4(0.982550907, -45.3149242, 165.03727, -29.7268852)) + dot(q, vec2(-294.60197, 204.275033)));
+    m.spreadMore = share * vec2(dot(p, vec4(-0.426830036, 48.1939502, -273.420365, 389.061947)) + dot(q, vec2(-120.22507, -44.1969678)),
+                                dot(p, vec4(-0.136456841, -14.6607673, 109.883837, -201.800783)) + dot(q, vec2(124.77158, -17.5985384)));
+    m.stray = 0.022 * share * smoothstep(0.1, 0.35, r);
 }
 
 void litCoat(Surface s, inout Lit m)
 {
     m.coat = m.coatShine = clamp(s.coat, 0.0, 1.0);
     m.coatTint = vec3(1.0);
-    m.coatRough = m.coatReflectance = 0.0;
+    m.coatReflectance = 0.0;
+    float rough = 0.0;
 #ifdef SURFACE_HAS_coatTint
     m.coatTint = clamp(s.coatTint, 0.0, 1.0);
 #endif
 #ifdef SURFACE_HAS_coatRoughness
-    m.coatRough = s.coatRoughness;
+    rough = s.coatRoughness;
 #endif
 #ifdef SURFACE_HAS_coatReflectance
     m.coatReflectance = clamp(s.coatReflectance, 0.0, 1.0);
 #endif
-    m.coatRough = clamp(m.coatRough, 0.0316227766, 1.0);
-    m.coatAlpha = m.coatRough * m.coatRough;
-    m.coatOfEye = 1.0 - m.coat * coatAlbedo(albedo(m.cosine, m.coatAlpha, m.coatRough), m.coatReflectance);
-    vec2 mean = coatMeans(m.coatRough);
-    m.coatMean = max(1.0 - m.coat * coatAlbedo(mean, m.coatReflectance), 1e-3);
-    m.coatMatt = m.coatMean + 1.4 * (1.0 - m.coatRough) * (1.0 - m.coatMean) * m.grazing; // both keep off what grazes: once is enough
-    m.grazing += m.coat * (1.0 - m.coatReflectance) * mean.y;
+    m.coatFacets = glossOf(clamp(rough, 0.0316227766, 1.0));
+    m.coatAlpha = m.coatFacets.alpha;
+    m.coatOfEye = coatThrough(m, m.cosine);
+    m.coatMean = 0.0;
     m.coatGloss = m.kept * (1.0 - m.coatOfEye);
-    m.even *= m.coatTint * m.coatOfEye;
-    m.gloss *= m.coatTint * m.coatOfEye;
-    m.emissive *= m.coatOfEye;
+    spreadOfCoat(m);
 }
 #endif
 
 #ifdef LIT_FUZZ
+void spreadOfFuzz(inout Lit m)
+{
+    float r = m.facets.rough, share = m.fuzz / (0.8 + 1.05 * m.fuzzRough);
+    vec4 p = vec4(1.0, r, r * r, r * r * r);
+    vec2 q = p.zw * p.z;
+    m.fuzzSpread = share * vec4(dot(p, vec4(-0.00116799324, -0.669502096, 5.6479709, -14.9194331)) + dot(q, vec2(15.924515, -5.96825871)),
+                                dot(p, vec4(0.123444748, 3.77602053, -43.325565, 131.637771)) + dot(q, vec2(-153.824555, 61.7052987)),
+                                dot(p, vec4(-1.15081001, 8.81079809, 44.2831309, -267.577196)) + dot(q, vec2(394.596546, -179.474594)),
+                                dot(p, vec4(2.82002081, -49.2497064, 133.705566, -7.45212523)) + dot(q, vec2(-241.916148, 163.172358)));
+    m.fuzzSpreadMore = share * vec2(dot(p, vec4(-2.46875836, 56.4389929, -236.088648, 329.347312)) + dot(q, vec2(-133.886948, -14.3517625)),
+                                    dot(p, vec4(0.666586785, -18.7508871, 93.3369607, -164.593005)) + dot(q, vec2(112.203977, -22.5077815)));
+}
+
 void litFuzz(Surface s, inout Lit m)
 {
     m.fuzz = clamp(s.fuzz, 0.0, 1.0);
@@ -169,18 +209,73 @@ void litFuzz(Surface s, inout Lit m)
     m.fuzzRough = s.fuzzRoughness;
 #endif
     m.fuzzRough = clamp(m.fuzzRough, 0.2, 1.0); // narrower fibres of that lobe would send more than arrives
-    float r = m.fuzzRough, sent = fuzzAlbedo(m.cosine, r);
-    m.fuzzOfEye = 1.0 - m.fuzz * sent;
-    m.fuzzMean = 1.0 - m.fuzz * fuzzMean(r);
-    m.fuzzMatt = m.fuzzMean + (1.4 - r) * (1.0 - m.fuzzMean) * m.grazing;
-    m.even = m.even * m.fuzzOfEye + m.kept * sent * m.fuzzColor;
-    m.gloss *= m.fuzzOfEye;
-    m.emissive *= m.fuzzOfEye;
-#ifdef LIT_COAT
-    m.coatGloss *= m.fuzzOfEye;
-#endif
+    m.fuzzOfEye = fuzzThrough(m, m.cosine);
+    m.fuzzMean = 0.0;
+    spreadOfFuzz(m);
 }
 #endif
+
+#ifdef LIT_LAYERS
+// Layers from a direction: x, y what coat and fuzz let through; z both; w what a white rough mirror below lacks of that, since light comes to the eye
+// by one way and goes by another, which the product of veil() cannot tell. It is spread as what facets reflect twice is. Of each layer it is a polynomial
+// in the base's roughness and the root of the cosine, fitted to integrals within 0.011 of all light; a small share more, `stray`, keeps it above 0.
+vec4 below(Lit m, float cosine, float loss)
+{
+    vec4 found = vec4(1.0, 1.0, 1.0, 0.0);
+    float x = sqrt(cosine);
+#ifdef LIT_COAT
+    found.x = coatThrough(m, cosine);
+    found.w = m.spread.x + x * (m.spread.y + x * (m.spread.z + x * (m.spread.w + x * (m.spreadMore.x + x * m.spreadMore.y))));
+    found.w = (1.0 - m.stray) * found.w + m.stray * (1.0 - loss) * found.x;
+#endif
+#ifdef LIT_FUZZ
+    found.y = fuzzThrough(m, cosine);
+    found.w = found.w * found.y + found.x * (m.fuzzSpread.x + x * (m.fuzzSpread.y + x * (m.fuzzSpread.z + x * (m.fuzzSpread.w + x * (m.fuzzSpreadMore.x + x * m.fuzzSpreadMore.y)))));
+#endif
+    found.z = found.x * found.y;
+    found.w = max(found.w, 0.0);
+    return found;
+}
+
+// Of a white mirror, and of one that reflects as the dielectric does, by the share that it reflects of a direction; most from those from which layers
+// let least through, so that a rough one lacks up to 2.75 times as much.
+vec2 strayed(Lit m, float stray, vec2 own)
+{
+    float more = 1.0 + 1.75 * smoothstep(0.15, 0.4, m.facets.rough);
+    return stray * vec2(1.0, more * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
+}
+#endif
+
+// Means over all directions by Gauss' rule in the root of the cosine: of 1, and of albedo(); left, of the same times what layers let through.
+void litMeans(inout Lit m, out vec3 mean, out vec3 left)
+{
+    const vec4 PLACE = vec4(0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558);
+    const vec4 WEIGHT = vec4(0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226);
+    mean = left = vec3(0.0);
+#ifdef LIT_LAYERS
+    m.meanStray = vec2(0.0);
+#endif
+    for (int i = 0; i < 8; i++) {
+        float t = 0.5 * PLACE[i & 3] + (i < 4 ? 0.0 : 0.5), share = 2.0 * WEIGHT[i & 3] * t * t * t;
+        vec3 own = share * vec3(1.0, albedo(t * t, m.facets));
+        mean += own;
+#ifdef LIT_LAYERS
+        vec4 layers = below(m, t * t, own.y / share);
+        m.meanStray += share * strayed(m, layers.w, own.yz / share);
+#ifdef LIT_COAT
+        m.coatMean += share * layers.x;
+#endif
+#ifdef LIT_FUZZ
+        m.fuzzMean += share * layers.y;
+#endif
+        own *= layers.z;
+#endif
+        left += own;
+    }
+#ifdef LIT_LAYERS
+    m.meanStray = max(m.meanStray, vec2(1e-6));
+#endif
+}
 
 Lit surfaceLit(Surface s, vec3 toEye)
 {
@@ -192,8 +287,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.toEye = toEye;
     m.reflected = reflect(-toEye, m.normal);
     m.base = m.tint = m.emissive = vec3(0.0);
-    m.metal = m.rough = m.reflectance = 0.0;
+    m.metal = m.reflectance = 0.0;
     m.kept = 1.0;
+    float rough = 0.0;
 #ifdef SURFACE_HAS_diffuse
     m.base = clamp(s.diffuse, 0.0, 1.0);
 #endif
@@ -207,7 +303,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.metal = clamp(s.metalness, 0.0, 1.0);
 #endif
 #ifdef SURFACE_HAS_roughness
-    m.rough = s.roughness;
+    rough = s.roughness;
 #endif
 #ifdef SURFACE_HAS_reflectance
     m.reflectance = clamp(s.reflectance, 0.0, 1.0);
@@ -215,32 +311,52 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #ifdef SURFACE_HAS_transparency
     m.kept = 1.0 - clamp(max(s.transparency.x, max(s.transparency.y, s.transparency.z)), 0.0, 1.0);
 #endif
-    m.rough = clamp(m.rough, 0.0316227766, 1.0); // of floats: a narrower lobe would lie between them
-    m.alpha = m.rough * m.rough;
+    m.facets = glossOf(clamp(rough, 0.0316227766, 1.0)); // of floats: a narrower lobe would lie between them
+    m.alpha = m.facets.alpha;
     m.cosine = clamp(dot(m.normal, toEye), 1e-3, 1.0);
-
-    vec2 mean = meanAlbedo(m.alpha, m.rough), eye = albedo(m.cosine, m.alpha, m.rough);
-    float fresnel = mix(1.0 / 21.0, 1.0, m.reflectance);
-    m.again = fresnel * fresnel * (1.0 - mean.x) / (1.0 - fresnel * mean.x);
-    m.meanLoss = max(mean.x, 1e-3); // so smooth that a second reflection is nothing
-    m.lossOfEye = eye.x;
-    m.baseOfEye = 1.0 - reflectedOf(eye, m.reflectance, m.again);
-    m.meanBase = max(1.0 - reflectedOf(mean, m.reflectance, m.again), 1e-4);
-
-    m.dip = mix(vec3(0.4626641), vec3(1.0), m.base) * (1.0 - m.tint) * 17.6512; // (6/7)^5; 7 (7/6)^6
-    vec3 metal = mix(vec3(1.0 / 21.0), vec3(1.0), m.base) - m.dip / 126.0;
-    m.metalAgain = metal * metal * (1.0 - mean.x) / (1.0 - metal * mean.x);
-    float rest = 1.0 - m.cosine, rest3 = rest * rest * rest;
-    vec3 ofMetal = mix(vec3(eye.y), vec3(1.0 - eye.x), m.base) + eye.x * m.metalAgain -
-        m.dip * (m.cosine * rest3 * rest3 * (1.0 - eye.x));
-    m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * m.base;
-    m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
-    m.grazing = (1.0 - m.reflectance) * mean.y;
 #ifdef LIT_COAT
     litCoat(s, m);
 #endif
 #ifdef LIT_FUZZ
     litFuzz(s, m);
+#endif
+    vec3 mean, left;
+    litMeans(m, mean, left);
+
+    vec2 eye = albedo(m.cosine, m.facets);
+    float fresnel = mix(1.0 / 21.0, 1.0, m.reflectance);
+    m.again = fresnel * fresnel * (1.0 - mean.y) / (1.0 - fresnel * mean.y);
+    m.lossOfEye = eye.x;
+    m.baseOfEye = 1.0 - reflectedOf(eye, m.reflectance, m.again);
+    m.meanLoss = max(left.y, 1e-3); // so smooth that a second reflection is nothing
+    m.meanBase = max(left.x - mix(left.z, left.x - left.y, m.reflectance) - left.y * m.again, 1e-4);
+
+    m.dip = mix(vec3(0.4626641), vec3(1.0), m.base) * (1.0 - m.tint) * 17.6512; // (6/7)^5; 7 (7/6)^6
+    vec3 metal = mix(vec3(1.0 / 21.0), vec3(1.0), m.base) - m.dip / 126.0;
+    m.metalAgain = metal * metal * (1.0 - mean.y) / (1.0 - metal * mean.y);
+    float rest = 1.0 - m.cosine, rest3 = rest * rest * rest;
+    vec3 ofMetal = mix(vec3(eye.y), vec3(1.0 - eye.x), m.base) + eye.x * m.metalAgain -
+        m.dip * (m.cosine * rest3 * rest3 * (1.0 - eye.x));
+    m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * m.base;
+    m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
+#ifdef LIT_LAYERS
+    vec4 layers = below(m, m.cosine, eye.x);
+    m.metalBounce = m.metal * max(metal, 0.0);
+    m.dielectricBounce = (1.0 - m.metal) * m.tint;
+    m.strayOfEye = strayed(m, layers.w, eye);
+    m.even *= layers.z;
+    m.gloss *= layers.z;
+    m.emissive *= layers.z;
+    m.lossOfEye *= layers.z;
+    m.baseOfEye *= layers.z;
+#ifdef LIT_COAT
+    m.even *= m.coatTint;
+    m.gloss *= m.coatTint;
+    m.coatGloss *= layers.y;
+#endif
+#ifdef LIT_FUZZ
+    m.even += m.kept * (1.0 - layers.y) / max(m.fuzz, 1e-6) * m.fuzzColor;
+#endif
 #endif
     return m;
 }
@@ -266,6 +382,9 @@ Lit surfaceMatt(Lit m)
     m.base *= 1.0 - m.metal;
     m.metal = 0.0;
     m.tint = m.gloss = vec3(0.0);
+#ifdef LIT_LAYERS
+    m.metalBounce = m.dielectricBounce = vec3(0.0);
+#endif
 #ifdef LIT_COAT
     m.coatShine = m.coatGloss = 0.0;
 #endif
@@ -280,31 +399,31 @@ vec3 surfaceLobe(Lit m, vec3 l)
     vec3 h = between * inversesqrt(max(dot(between, between), 1e-12));
     float facing = clamp(dot(h, l), 0.0, 1.0), rest = 1.0 - facing, rest5 = rest * rest * rest * rest * rest;
     float once = facets(m.alpha, m.normal, h, cosine, m.cosine);
-    vec2 own = albedo(cosine, m.alpha, m.rough);
+    vec2 own = albedo(cosine, m.facets);
     float again = cosine * own.x * m.lossOfEye / m.meanLoss;
     float matt = cosine * (1.0 - reflectedOf(own, m.reflectance, m.again)) * m.baseOfEye / m.meanBase;
-#if defined(LIT_COAT) || defined(LIT_FUZZ)
-    float even = evenOf(m.rough);
-    vec2 left = vec2(1.0); // of what is sent evenly, and of reflections
+#ifdef LIT_LAYERS
+    vec4 layers = below(m, cosine, own.x);
+    vec2 even = evenOf(m.facets.rough, vec2(cosine, m.cosine)), stray = cosine * strayed(m, layers.w, own) * m.strayOfEye / m.meanStray;
 #ifdef LIT_COAT
-    float coat = 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatAlpha, m.coatRough), m.coatReflectance);
-    left *= vec2(coat * m.coatOfEye / m.coatMatt, veil(coat, m.coatOfEye, m.coatMean, even));
+    once *= (1.0 - m.stray) * veil(layers.x, m.coatOfEye, m.coatMean, even);
 #endif
 #ifdef LIT_FUZZ
-    float fuzz = 1.0 - m.fuzz * fuzzAlbedo(cosine, m.fuzzRough);
-    left *= vec2(fuzz * m.fuzzOfEye / m.fuzzMatt, veil(fuzz, m.fuzzOfEye, m.fuzzMean, even));
+    once *= veil(layers.y, m.fuzzOfEye, m.fuzzMean, even);
 #endif
-    matt *= left.x;
-    again *= left.x;
-    once *= left.y;
+    matt *= layers.z;
+    again *= layers.z;
 #endif
     vec3 dielectric = matt * m.base + m.tint * (once * mix(rest5, 1.0, m.reflectance) + again * m.again);
     vec3 fresnel = max(mix(vec3(rest5), vec3(1.0), m.base) - m.dip * (facing * rest5 * rest), 0.0);
     vec3 sum = mix(dielectric, once * fresnel + again * m.metalAgain, m.metal);
+#ifdef LIT_LAYERS
+    sum += stray.x * m.metalBounce + stray.y * m.dielectricBounce;
+#endif
 #ifdef LIT_COAT
     float shine = m.coatShine * facets(m.coatAlpha, m.normal, h, cosine, m.cosine) * mix(rest5, 1.0, m.coatReflectance);
 #ifdef LIT_FUZZ
-    shine *= veil(fuzz, m.fuzzOfEye, m.fuzzMean, evenOf(m.coatRough));
+    shine *= veil(layers.y, m.fuzzOfEye, m.fuzzMean, evenOf(m.coatFacets.rough, vec2(cosine, m.cosine)));
 #endif
     sum = sum * m.coatTint + shine;
 #endif
