@@ -1,5 +1,17 @@
 // Surfaces of both models in one G-buffer: which one a pixel has, its slot `model` says. Before it stand the texts of both, whose names begin with
 // phong and principled (surface_model.c).
+#undef Lit
+#undef surfaceLit
+#undef surfaceOwn
+#undef surfaceAmbient
+#undef surfaceEven
+#undef surfaceLobe
+#undef surfaceSky
+#undef surfaceArea
+#undef surfaceHemisphere
+#undef surfaceMatt
+#undef surfaceAreaSides
+#undef surfaceAreaSide
 struct Lit {
     vec3 normal;
     bool principled;

@@ -7,23 +7,7 @@
 //
 // Fresnel's formulas are Schlick's, with white at the horizon; of metal with an edge tint, its reflection at 82 degrees (Hoffman 2019; OpenPBR
 // 1.1). What a layout lacks is as slots.def says of absent slots. Area lights and skies meet a stand-in for the lobe, Phong's, as wide around
-// the mirrored direction, of as much light as GGX sends of light from all around: it is exact where light is the same all around.
-#if defined(SURFACE_HAS_coat) && !defined(SURFACE_LACKS_coat)
-#define LIT_COAT
-#endif
-#if defined(SURFACE_HAS_fuzz) && !defined(SURFACE_LACKS_fuzz)
-#define LIT_FUZZ
-#endif
-#if defined(LIT_COAT) || defined(LIT_FUZZ)
-#define LIT_LAYERS
-#endif
-// What of GGX's albedos depends on the roughness alone: polynomials in what an angle gives, by albedo().
-struct Gloss {
-    float alpha, rough;
-    vec4 loss, grazing;
-    vec2 lossMore, grazingMore;
-};
-
+// the mirrored direction, of as much light as GGX sends of light from all around: it is exact where light is the same all around. Before it stands surface_facets.glsl.
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // the share of what was reflected twice and more, of metal
@@ -36,15 +20,13 @@ struct Lit {
     Gloss coatFacets;
     float coat, coatShine, coatAlpha, coatReflectance, coatGloss;
     float coatOfEye, coatMean; // what is let through: of the eye's light, in the mean
-    vec4 spread; // what a white rough mirror below lacks, by the angle
-    vec2 spreadMore;
+    Row spread; // what a white rough mirror below lacks, by the angle
     float stray;
 #endif
 #ifdef LIT_FUZZ
     vec3 fuzzColor; // its weight in it
     float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // the same
-    vec4 fuzzSpread;
-    vec2 fuzzSpreadMore;
+    Row fuzzSpread;
 #endif
 #ifdef LIT_LAYERS
     vec3 metalBounce, dielectricBounce; // what the base reflects of light that layers send back to it
@@ -52,90 +34,9 @@ struct Lit {
 #endif
 };
 
-Gloss glossOf(float rough)
-{
-    Gloss g;
-    float alpha = rough * rough;
-    vec4 a = vec4(1.0, alpha, alpha * alpha, alpha * alpha * alpha), r = vec4(1.0, rough, alpha, alpha * rough);
-    vec2 more = a.zw * a.z, moreRough = r.zw * r.z;
-    g.alpha = alpha;
-    g.rough = rough;
-    g.loss = vec4(dot(a, vec4(0.00563398208, -0.0843984781, 0.356630063, -0.616003578)) + dot(more, vec2(0.486410182, -0.144437895)),
-                    dot(a, vec4(0.041883195, 2.51902204, -7.23108312, 16.4288191)) + dot(more, vec2(-13.9349608, 4.21058823)),
-                    dot(a, vec4(1.08441251, -20.5015295, 82.6345043, -159.170619)) + dot(more, vec2(128.404945, -38.1080236)),
-                    dot(a, vec4(-1.32628322, 53.9185548, -253.968034, 500.640058)) + dot(more, vec2(-412.211923, 124.299324)));
-    g.lossMore = vec2(dot(a, vec4(-0.981185825, -53.4389793, 299.486867, -620.27736)) + dot(more, vec2(526.469036, -162.321269)),
-                    dot(a, vec4(1.17702241, 17.5301485, -119.667408, 263.41627)) + dot(more, vec2(-231.729768, 73.3007772)));
-    g.grazing = vec4(dot(r, vec4(1.00229858, -0.0693790402, -7.90042211, 12.1028064)) + dot(moreRough, vec2(87.3390786, -147.509621)),
-                    dot(r, vec4(-0.0748609383, 6.8437939, 33.6529518, -326.852167)) + dot(moreRough, vec2(135.047532, 484.87721)),
-                    dot(r, vec4(-0.928605093, -47.0745144, 166.337778, 695.952749)) + dot(moreRough, vec2(-1120.34262, -481.625648)),
-                    dot(r, vec4(1.56063199, 98.8272047, -721.720845, 86.4021829)) + dot(moreRough, vec2(1317.50747, 134.337864)));
-    g.grazingMore = vec2(dot(r, vec4(-4.14312206, -73.0814366, 848.262777, -1072.40906)) + dot(moreRough, vec2(-161.647723, -63.7352037)),
-                    dot(r, vec4(2.83756091, 10.8233579, -302.155228, 578.156651)) + dot(moreRough, vec2(-238.912745, 68.6817093)));
-    return g;
-}
-
-// Albedos of the lobe with Fresnel's term 1: x is 1 - E, what is lost to facets behind others, y the part of E that Schlick's (1 - cosine)^5 has.
-// Fitted to integrals of the lobe: within 0.0055 and 0.0035 for all roughnesses and angles (tests/test_principled.c).
-vec2 albedo(float cosine, Gloss g)
-{
-    float s = cosine * (1.0 + g.alpha) / (cosine + g.alpha), x = sqrt(cosine + 0.5 * g.alpha);
-    float loss = g.loss.x + s * (g.loss.y + s * (g.loss.z + s * (g.loss.w + s * (g.lossMore.x + s * g.lossMore.y))));
-    float q = g.grazing.x + x * (g.grazing.y + x * (g.grazing.z + x * (g.grazing.w + x * (g.grazingMore.x + x * g.grazingMore.y))));
-    loss = clamp(loss, 0.0, 1.0);
-    q = clamp(q, 0.0, 1.0);
-    return vec2(loss, (1.0 - loss) * q * q * q * q * q);
-}
-
-// What the dielectric reflects of all that arrives from a direction.
-float reflectedOf(vec2 albedo, float reflectance, float again)
-{
-    return mix(albedo.y, 1.0 - albedo.x, reflectance) + albedo.x * again;
-}
-
-// GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the header; h is the half vector.
-float facets(float alpha, vec3 normal, vec3 h, float cosine, float eye)
-{
-    float alpha2 = alpha * alpha, high = dot(normal, h);
-    vec3 across = cross(normal, h);
-    float width = alpha2 * high * high + dot(across, across); // of small angles, too
-    float masked = cosine * sqrt(alpha2 + (1.0 - alpha2) * eye * eye) + eye * sqrt(alpha2 + (1.0 - alpha2) * cosine * cosine);
-    return 0.5 * cosine * alpha2 / (width * width * masked);
-}
-
-#ifdef LIT_LAYERS
-// What a layer leaves of light that is reflected below it, by what it lets through of each direction, and of all in the mean: the same when both
-// change places. A mirror has the same share both ways, which counts once; what is sent evenly counts the one over the mean, times the other. A
-// rough mirror is between, by `even`; what that lacks is spread, see below().
-float veil(float through, float eye, float mean, vec2 even)
-{
-    return through * eye * inversesqrt(max(mix(through, mean, even.x) * mix(eye, mean, even.y), 1e-8));
-}
-
-// Of the light's angle and the eye's: what grazes is spread most.
-vec2 evenOf(float rough, vec2 cosines) { return 0.86 * smoothstep(vec2(0.05), 0.35 + 0.9 * sqrt(cosines), vec2(rough)); }
-#endif
-
 #ifdef LIT_FUZZ
-// All that fuzz of weight 1 sends of light from a direction: a polynomial, fitted to integrals of its lobe within 0.005 for cosines from 0.04 on.
-float fuzzAlbedo(float cosine, float rough)
-{
-    vec4 r = vec4(1.0, rough, rough * rough, rough * rough * rough);
-    float x = sqrt(cosine);
-    return clamp(dot(r, vec4(1.56415816, -3.06939249, 3.85871481, -1.6926477)) +
-        x * (dot(r, vec4(-2.30757704, 6.7952917, -9.34145144, 4.31469007)) +
-        x * (dot(r, vec4(-0.372148166, 0.129239755, 1.2437114, -0.989127772)) +
-        x * dot(r, vec4(1.08179061, -3.5441627, 4.07626323, -1.60441801)))), 0.0, 1.0);
-}
-
 float fuzzThrough(Lit m, float cosine) { return 1.0 - m.fuzz * fuzzAlbedo(cosine, m.fuzzRough); }
 
-// Fibres that stand up, by the sine of the half angle (Estevez and Kulla 2017), masked as Neubelt and Pettineo have it.
-float fibres(float rough, float high, float cosine, float eye)
-{
-    float power = 0.5 / rough;
-    return 0.5 * cosine * (1.0 + power) * pow(max(1.0 - high * high, 1e-6), power) / (2.0 * (cosine + eye - cosine * eye));
-}
 #endif
 
 #ifdef LIT_COAT
@@ -143,21 +44,6 @@ float fibres(float rough, float high, float cosine, float eye)
 float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - albedo.x, reflectance); }
 
 float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatFacets), m.coatReflectance); }
-
-void spreadOfCoat(inout Lit m)
-{
-    float r = m.facets.rough, smoother = 1.0 - m.coatFacets.rough * m.coatFacets.rough, smoother2 = smoother * smoother;
-    float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563; // 1 of a smooth coat of index 1.6
-    vec4 p = vec4(1.0, r, r * r, r * r * r);
-    vec2 q = p.zw * p.z; // r^4, r^5
-    m.spread = share * vec4(dot(p, vec4(-0.00130984306, -0.417861106, 4.05993299, -11.3099923)) + dot(q, vec2(12.3168581, -4.62782787)),
-                            dot(p, vec4(0.0231338713, 2.69639512, -39.5255634, 130.812048)) + dot(q, vec2(-157.97401, 63.9101199)),
-                            dot(p, vec4(-0.454080765, 9.82544167, 32.1314982, -272.816322)) + dot(q, vec2(431.543338, -200.278106)),
-                            dot(p, vec4(0.982550907, -45.3149242, 165.03727, -29.7268852)) + dot(q, vec2(-294.60197, 204.275033)));
-    m.spreadMore = share * vec2(dot(p, vec4(-0.426830036, 48.1939502, -273.420365, 389.061947)) + dot(q, vec2(-120.22507, -44.1969678)),
-                                dot(p, vec4(-0.136456841, -14.6607673, 109.883837, -201.800783)) + dot(q, vec2(124.77158, -17.5985384)));
-    m.stray = 0.022 * share * smoothstep(0.1, 0.35, r);
-}
 
 void litCoat(Surface s, inout Lit m)
 {
@@ -179,24 +65,14 @@ void litCoat(Surface s, inout Lit m)
     m.coatOfEye = coatThrough(m, m.cosine);
     m.coatMean = 0.0;
     m.coatGloss = m.kept * (1.0 - m.coatOfEye);
-    spreadOfCoat(m);
+    float smoother = 1.0 - m.coatFacets.rough * m.coatFacets.rough, smoother2 = smoother * smoother;
+    float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563; // 1 of a smooth coat of index 1.6
+    m.spread = coatSpread(m.facets.rough, share);
+    m.stray = 0.022 * share * smoothstep(0.1, 0.35, m.facets.rough);
 }
 #endif
 
 #ifdef LIT_FUZZ
-void spreadOfFuzz(inout Lit m)
-{
-    float r = m.facets.rough, share = m.fuzz / (0.8 + 1.05 * m.fuzzRough);
-    vec4 p = vec4(1.0, r, r * r, r * r * r);
-    vec2 q = p.zw * p.z;
-    m.fuzzSpread = share * vec4(dot(p, vec4(-0.00116799324, -0.669502096, 5.6479709, -14.9194331)) + dot(q, vec2(15.924515, -5.96825871)),
-                                dot(p, vec4(0.123444748, 3.77602053, -43.325565, 131.637771)) + dot(q, vec2(-153.824555, 61.7052987)),
-                                dot(p, vec4(-1.15081001, 8.81079809, 44.2831309, -267.577196)) + dot(q, vec2(394.596546, -179.474594)),
-                                dot(p, vec4(2.82002081, -49.2497064, 133.705566, -7.45212523)) + dot(q, vec2(-241.916148, 163.172358)));
-    m.fuzzSpreadMore = share * vec2(dot(p, vec4(-2.46875836, 56.4389929, -236.088648, 329.347312)) + dot(q, vec2(-133.886948, -14.3517625)),
-                                    dot(p, vec4(0.666586785, -18.7508871, 93.3369607, -164.593005)) + dot(q, vec2(112.203977, -22.5077815)));
-}
-
 void litFuzz(Surface s, inout Lit m)
 {
     m.fuzz = clamp(s.fuzz, 0.0, 1.0);
@@ -211,7 +87,7 @@ void litFuzz(Surface s, inout Lit m)
     m.fuzzRough = clamp(m.fuzzRough, 0.2, 1.0); // narrower fibres of that lobe would send more than arrives
     m.fuzzOfEye = fuzzThrough(m, m.cosine);
     m.fuzzMean = 0.0;
-    spreadOfFuzz(m);
+    m.fuzzSpread = fuzzSpread(m.facets.rough, m.fuzz / (0.8 + 1.05 * m.fuzzRough));
 }
 #endif
 
@@ -225,12 +101,12 @@ vec4 below(Lit m, float cosine, float loss)
     float x = sqrt(cosine);
 #ifdef LIT_COAT
     found.x = coatThrough(m, cosine);
-    found.w = m.spread.x + x * (m.spread.y + x * (m.spread.z + x * (m.spread.w + x * (m.spreadMore.x + x * m.spreadMore.y))));
+    found.w = rowAt(m.spread, x);
     found.w = (1.0 - m.stray) * found.w + m.stray * (1.0 - loss) * found.x;
 #endif
 #ifdef LIT_FUZZ
     found.y = fuzzThrough(m, cosine);
-    found.w = found.w * found.y + found.x * (m.fuzzSpread.x + x * (m.fuzzSpread.y + x * (m.fuzzSpread.z + x * (m.fuzzSpread.w + x * (m.fuzzSpreadMore.x + x * m.fuzzSpreadMore.y)))));
+    found.w = found.w * found.y + found.x * rowAt(m.fuzzSpread, x);
 #endif
     found.z = found.x * found.y;
     found.w = max(found.w, 0.0);
