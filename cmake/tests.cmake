@@ -42,7 +42,7 @@ file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
 # Frames and memory are others under sanitizers; means of many numbers, and pictures beside others' renderers, the same. The last row's
 # minutes go to the driver's compiling; what they call of matc and of the renderer, others call under sanitizers.
 set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures
-  test_value test_shared test_frame_cast test_frame_indirect_truth test_frame_meshes)
+  test_reference_bounces test_value test_shared test_frame_cast test_frame_indirect_truth test_frame_meshes)
 foreach(file ${TESTS})
   get_filename_component(name ${file} NAME_WE)
   file(STRINGS ${file} partly REGEX "tests/(sanitized|kill/world)[.]h")

@@ -75,6 +75,8 @@ sed 's/directional: true/directional: false/' docs/directional.yaml > "$work/und
 [ -z "$update" ] || "$matview" "$work/undirected.yaml" -o docs/undirected.png
 check "light of a sky is drawn" "$matview" "$work/undirected.yaml" -o "$work/undirected.png"
 check "and is in docs" test -s docs/directional.png -a -s docs/undirected.png
+[ -z "$update" ] || "$matview" tests/reference/cycles/bounced.yaml -o docs/bounced.png
+check "a path tracer's picture and its own are in docs" test -s docs/cycles.png -a -s docs/bounced.png
 [ -z "$update" ] || "$matview" docs/indirect.yaml --view=positions -o docs/positions.png
 check "what its picture knows is drawn" "$matview" docs/indirect.yaml --view=positions -o "$work/positions.png"
 check "and is in docs" test -s docs/positions.png

@@ -10,7 +10,7 @@ import numpy
 
 import world
 
-SAMPLES, AREA_SAMPLES, HALF_SHADOW_SAMPLES = 64, 4096, 1024
+SAMPLES, AREA_SAMPLES, HALF_SHADOW_SAMPLES, BOUNCED_SAMPLES = 64, 4096, 1024, 1024
 
 
 def begin(scenery, samples):
@@ -252,6 +252,20 @@ def numbered(scenery):
         return shader.done()
     add_objects(scene, scenery, shading)
     return picture(scene)
+
+
+def bounced(scenery, bounces):
+    """Light that came by way of so many surfaces, at most, and by one at least: of lights with shadows; and all light."""
+    indirect, whole = 0, 0
+    for source in scenery.lights:
+        direct = shaded(scenery, lambert, source, True)
+        scene = begin(scenery, BOUNCED_SAMPLES)
+        scene.cycles.max_bounces = scene.cycles.diffuse_bounces = bounces
+        add_objects(scene, scenery, lambert)
+        add_light(scene, source, True)
+        all_light = picture(scene)
+        indirect, whole = indirect + numpy.maximum(all_light - direct, 0), whole + all_light
+    return indirect, whole
 
 
 def render(scenery, shadows):

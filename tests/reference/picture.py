@@ -23,10 +23,21 @@ def attribute(name, kind, value):
     return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(value)) + value
 
 
-def write_exr(path, light, compared):
+def write_png(path, light):
+    """Linear light as sRGB, cut at 1."""
+    cut = numpy.clip(light, 0, 1)
+    curved = numpy.where(cut <= .0031308, 12.92 * cut, 1.055 * cut ** (1 / 2.4) - .055)
+    rows = numpy.pad(numpy.round(255 * curved).astype(numpy.uint8).reshape(len(light), -1), ((0, 0), (1, 0)))
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n")
+        for kind, data in ((b"IHDR", struct.pack(">2I5B", light.shape[1], len(light), 8, 2, 0, 0, 0)), (b"IDAT", zlib.compress(rows.tobytes(), 9)), (b"IEND", b"")):
+            file.write(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)))
+
+
+def write_exr(path, light, compared, step=STEP):
     """Floats, compressed by ZIP: 16 rows a block, bytes of one weight together, each less the one before."""
     height, width = compared.shape
-    planes = [compared.astype("<f4")] + [numpy.round(light[..., lane] / STEP).astype("f8") * STEP for lane in (2, 1, 0)]
+    planes = [compared.astype("<f4")] + [numpy.round(light[..., lane] / step).astype("f8") * step for lane in (2, 1, 0)]
     window = struct.pack("<4i", 0, 0, width - 1, height - 1)
     channels = b"".join(name + b"\0" + struct.pack("<iiii", 2, 0, 1, 1) for name in (b"A", b"B", b"G", b"R")) + b"\0"
     header = struct.pack("<ii", 20000630, 2) + attribute("channels", "chlist", channels) + attribute("compression", "compression", b"\3")

@@ -11,9 +11,26 @@ import picture  # noqa: E402
 import world  # noqa: E402
 
 
+BOUNCED_STEP = 2. ** -13
+
+
+def render_bounced(path, by, scenery):
+    """NAME_1.exr and NAME_n.exr: the noise of paths is a thousand times what light is rounded to else. And a picture for docs."""
+    there = by.numbered(scenery)
+    compared = (there[..., 0] > 0) & ~numpy.asarray(picture.edges(there, 2 * by.shaded(scenery, by.facing)))
+    for bounces in (1, scenery.bounces):
+        light, whole = by.bounced(scenery, bounces)
+        file = path[:-len(".yaml")] + "_%d.exr" % bounces
+        picture.write_exr(file, light, compared, BOUNCED_STEP)
+        print("%-60s %6d bytes, light of %d bounces %.4g in the mean" % (os.path.relpath(file, HERE), os.path.getsize(file), bounces, light[compared].mean()), file=sys.stderr)
+    picture.write_png(os.path.join(HERE, "..", "..", "docs", "cycles.png"), whole)
+
+
 def render(path):
     by = __import__("by_" + os.path.basename(os.path.dirname(path)))
     scenery = world.World(path)
+    if scenery.bounces:
+        return render_bounced(path, by, scenery)
     for suffix, shadows in (("", False), ("_shadows", True))[:2 if scenery.casts else 1]:
         light, steps, there = by.render(scenery, shadows)
         if shadows and numpy.array_equal(light, free):

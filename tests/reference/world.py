@@ -24,6 +24,7 @@ class World:
         self.casts = any(light["kind"] in ("Point", "Spot", "Directional", "Area") for light in self.lights)
         self.clear = any("transparency" in thing["material"] for thing in self.objects)
         self.casts = self.casts and not self.clear  # coloured shadows are another matter
+        self.bounces = self.document.get("indirect", {}).get("bounces", 0)
         self.sky = self.material(self.document.get("sky"))
 
     def flatten(self, objects, around, material):
