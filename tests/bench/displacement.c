@@ -292,6 +292,12 @@ static bool measure_bisection(GlContext *gl, const Arguments *a)
     return displacement_bisection(gl, a->timed, a->most / 4);
 }
 
+static bool measure_silhouettes(GlContext *gl, const Arguments *a)
+{
+    (void)a;
+    return displacement_silhouettes(gl);
+}
+
 /* -- the command */
 
 static const struct {
@@ -302,6 +308,7 @@ static const struct {
               {"speed", measure_speed, false},
               {"programs", measure_programs, false},
               {"bisection", measure_bisection, true},
+              {"silhouettes", measure_silhouettes, true},
               {"table", measure_table, true}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
@@ -328,7 +335,7 @@ int bench_displacement(int argc, char **argv)
     for (int i = 1; i < argc; i++)
         if (!read_argument(argv[i], &a)) {
             fputs("usage: matbench displacement [--untimed] [--gl=osmesa|egl] [--map=FILE] [--triangles=N] [error] "
-                  "[speed] [programs] [bisection] [table]\n",
+                  "[speed] [programs] [bisection] [silhouettes] [table]\n",
                   stderr);
             return 2;
         }

@@ -8,4 +8,5 @@ typedef struct GlContext GlContext;
 bool displacement_programs(GlContext *gl, bool timed, int triangles);
 bool displacement_table(GlContext *gl, bool timed, int most);
 bool displacement_bisection(GlContext *gl, bool timed, int triangles);
+bool displacement_silhouettes(GlContext *gl);
 #endif
