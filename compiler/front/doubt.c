@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+static const double LEAST_FUZZ = .2; /* as surface_principled.glsl has it */
 enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 }; /* a colour's greatest lane from which on whole lanes look like bytes */
 
 /* What a node is asked for. The first two begin as MOVES_xyz and MOVES_uv of tables.h. */
@@ -280,6 +281,31 @@ static void doubt_unstored(const Doubts *d, const Node *node)
             diag_add(d->session, node->params[i].span, DIAG_unstored, param_table[row->first + i].name, row->name);
 }
 
+/* A part of a Phong that the Principled which a Layer makes of it has no slot for. */
+static void doubt_layered(const Doubts *d, const Node *base)
+{
+    static const int lost[] = {P_Phong_ambient, P_Phong_diffuseTransparency};
+    for (size_t i = 0; base->kind == KIND_Phong && i < sizeof lost / sizeof *lost; i++) {
+        const Value *value = node_param(base, lost[i]);
+        if (!value_is_zero(value))
+            diag_add(d->session, value->span, DIAG_layered_loss, param_table[lost[i]].name);
+    }
+}
+
+/* Where there is fuzz, a number that the lobe does not go down to. */
+static void doubt_fuzz(const Doubts *d, const Node *node)
+{
+    const Value *rough = node->kind == KIND_Principled ? node_param(node, P_Principled_fuzzRoughness) : NULL;
+    const double *lanes;
+    if (!rough || value_is_zero(node_param(node, P_Principled_fuzz)))
+        return;
+    const Span span = rough->span;
+    if (rough->kind == VALUE_node && rough->node->kind == KIND_Constant)
+        rough = &rough->node->params[0];
+    if (lanes_of(rough, &lanes) && lanes[0] < LEAST_FUZZ)
+        diag_add(d->session, span, DIAG_narrow_fuzz);
+}
+
 /* A Mix of materials one of which would move the surface; or one material of two whose slots mean other things. */
 static void doubt_mixed(const Doubts *d, const Node *node)
 {
@@ -291,6 +317,9 @@ static void doubt_mixed(const Doubts *d, const Node *node)
             models |= d->models[node->params[i].node->index];
     if (node->kind == KIND_Layer && models & MODEL_LOBE(LOBE_coat))
         diag_add(d->session, node->span, DIAG_two_coats);
+    const Value *base = node->kind == KIND_Layer ? node_param(node, P_Layer_base) : NULL;
+    if (base && base->kind == VALUE_node)
+        doubt_layered(d, base->node);
     if (node->kind != KIND_AlgorithmSwitch && models >> MODEL_Phong & 1 && models >> MODEL_Principled & 1)
         diag_add(d->session, node->span, DIAG_mixed_models, name);
     for (int i = 0; i < row->count; i++) {
@@ -307,7 +336,7 @@ static void say(Doubts *d, const Node *node)
 {
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
-        doubt_components(d, node), doubt_mixed(d, node), doubt_unstored(d, node);
+        doubt_components(d, node), doubt_mixed(d, node), doubt_unstored(d, node), doubt_fuzz(d, node);
     if (node->kind == KIND_SideSwitch)
         doubt_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)
