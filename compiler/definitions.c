@@ -1,5 +1,7 @@
 /* The library's surface: definitions of a document and of the files that it includes, in words. */
 #include "compiler/document.h"
+#include "compiler/base/json_write.h"
+#include "compiler/describe/describe.h"
 #include "compiler/front/resolve_parameter.h"
 #include "compiler/front/resolve_definition.h"
 #include <stdlib.h>
@@ -95,4 +97,83 @@ char *matc_explain_definition(MatcDocument *d, const char *name)
         put_parameters(&arena, &out, &d->session, params->value);
     text_format(&out, "\nUse\n  { ref: %s }\n", name);
     return text_given(&arena, &out);
+}
+
+/* An argument: what its type takes, within its range, or a param of the definition that it stands in. */
+static void put_argument_schema(Text *out, const Member *member, const Parameter *p)
+{
+    static const char *const types[PARAMETER_TYPES] = {
+        [PARAMETER_number] = "{\"$ref\": \"#/$defs/number\"}",
+        [PARAMETER_color] = "{\"$ref\": \"#/$defs/map\"}",
+        [PARAMETER_map] = "{\"$ref\": \"#/$defs/map\"}",
+        [PARAMETER_material] = "{\"$ref\": \"#/$defs/material\"}",
+        [PARAMETER_wave] = "{\"$ref\": \"#/$defs/wave\"}",
+        [PARAMETER_transform] = "{\"$ref\": \"#/$defs/transform\"}",
+        [PARAMETER_bool] = "{\"type\": [\"boolean\", \"null\"]}",
+        [PARAMETER_text] = "{\"type\": [\"string\", \"null\"]}",
+    };
+    double bound;
+    text_put(out, "{");
+    json_member(out, "description", doc_of(member->value));
+    text_format(out, ", \"anyOf\": [%s, {\"type\": \"object\", \"required\": [\"param\"]}]", types[p->type]);
+    if (p->low && tree_number(p->low, &bound)) {
+        text_put(out, ", \"minimum\": ");
+        text_double(out, bound);
+    }
+    if (p->high && tree_number(p->high, &bound)) {
+        text_put(out, ", \"maximum\": ");
+        text_double(out, bound);
+    }
+    text_put(out, "}");
+}
+
+static void put_use_schema(Text *out, Session *session, const Member *definition)
+{
+    const Tree *tree = definition->value;
+    const Member *params = tree->kind == TREE_object ? tree_find(tree, "params") : NULL;
+    const uint32_t count = params && params->value->kind == TREE_object ? params->value->count : 0;
+    Resolver r = {.session = session};
+    Text wanted = text_new(out->arena);
+    text_put(out, "        {\n          ");
+    json_member(out, "description", doc_of(tree));
+    text_put(out, ",\n          \"type\": \"object\", \"additionalProperties\": false, \"properties\": {\n            \"ref\": {\"const\": ");
+    json_string(out, definition->key);
+    text_put(out, "}");
+    for (uint32_t i = 0; i < count; i++) {
+        Parameter p;
+        if (!resolve_parameter(&r, &params->value->members[i], &p))
+            continue;
+        text_put(out, ",\n            ");
+        json_key(out, params->value->members[i].key);
+        put_argument_schema(out, &params->value->members[i], &p);
+        if (!p.init) {
+            text_put(&wanted, ", ");
+            json_string(&wanted, params->value->members[i].key);
+        }
+    }
+    text_format(out, "\n          }, \"required\": [\"ref\"%s]\n        }", wanted.size ? wanted.at : "");
+}
+
+char *matc_document_schema(MatcDocument *d)
+{
+    Arena arena = {0};
+    Text ref = text_new(&arena);
+    if (!d->graph)
+        return NULL;
+    text_put(&ref, "{\n      \"description\": \"A map or material of `defs:`, the document's own or of a file that it includes.\",\n"
+                   "      \"type\": \"object\", \"required\": [\"ref\"], \"anyOf\": [\n");
+    bool first = true;
+    for (int i = 0; i < d->graph->def_count; i++)
+        for (uint32_t k = 0; k < d->graph->defs[i]->count; k++) {
+            const Member *member = &d->graph->defs[i]->members[k];
+            if (definition_of(d, member->key) != member)
+                continue;
+            text_put(&ref, first ? "" : ",\n");
+            put_use_schema(&ref, &d->session, member);
+            first = false;
+        }
+    text_put(&ref, first ? "        false\n      ]\n    }" : "\n      ]\n    }");
+    char *schema = describe_document_schema(ref.at);
+    arena_free(&arena);
+    return schema;
 }

@@ -7,17 +7,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LONGEST_CHANNEL = 16 };
+enum { LONGEST_CHANNEL = LIMIT_NAME + 4, ATTRIBUTE_MARK = '@' };
 
-static bool set_channel(Surface *surface, const char *name, double value)
+/* `graph`: whose attributes a name behind '@' is one of; NULL: of any. */
+static bool set_channel(const Graph *graph, Surface *surface, const char *name, double value)
 {
+    if (*name == ATTRIBUTE_MARK)
+        return !graph || oracle_surface_attribute(graph, surface, name + 1, value);
     if (!strcmp(name, "front"))
         surface->front = value != 0;
     return !strcmp(name, "front") || oracle_surface_set(surface, name, value);
 }
 
-/* "u=0.3 v=0.4 front=0". NULL, or what is wrong with the word that is left. */
-static const char *read_point(Surface *surface, const char *point, const char **word)
+/* "u=0.3 v=0.4 front=0 @wetness=1". NULL, or what is wrong with the word that is left. */
+static const char *read_point(const Graph *graph, Surface *surface, const char *point, const char **word)
 {
     for (*word = point; *(*word += strspn(*word, " ,\t\n"));) {
         const char *at = *word;
@@ -28,8 +31,8 @@ static const char *read_point(Surface *surface, const char *point, const char **
             !isfinite(value))
             return "a point is a list of channel=number";
         memcpy(key, at, name);
-        if (!set_channel(surface, key, value))
-            return "no such channel; see --list";
+        if (!set_channel(graph, surface, key, value))
+            return *key == ATTRIBUTE_MARK ? "the document has no attribute of that name, or that lane" : "no such channel; see --list";
         *word += size;
     }
     return NULL;
@@ -53,11 +56,11 @@ const char *evaluate_point_fault(Arena *arena, const char *point)
     const char *word;
     Text out = text_new(arena);
     oracle_surface_default(&surface);
-    if (!read_point(&surface, point, &word))
+    if (!read_point(NULL, &surface, point, &word))
         return NULL;
     const size_t size = strcspn(word, " ,\t\n"), name = strcspn(word, "=");
     const char *key = arena_string(arena, word, name < size ? name : size);
-    if (name < size && strlen(key) < LONGEST_CHANNEL && set_channel(&surface, key, 0))
+    if (name < size && strlen(key) < LONGEST_CHANNEL && set_channel(NULL, &surface, key, 0))
         text_format(&out, "'%s' is no number: a point is a list of channel=number",
                     arena_string(arena, word + name + 1, size - name - 1));
     else if (name < size)
@@ -97,7 +100,7 @@ static const char *evaluate(const MatcDocument *d, int material, const char *poi
     oracle_surface_default(&surface);
     if (choice_job(options, &job))
         return "an option has no such value; see matc_options_fault";
-    const char *fault = read_point(&surface, point, &word);
+    const char *fault = read_point(d->graph, &surface, point, &word);
     if (fault)
         return fault;
     if (!d->graph || material < 0 || material >= d->graph->material_count)

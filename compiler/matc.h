@@ -119,6 +119,10 @@ MATC_API const char *matc_tree_text(MatcDocument *document);
 MATC_API char *matc_definitions(const MatcDocument *document);
 MATC_API char *matc_explain_definition(MatcDocument *document, const char *name);
 
+/* JSON Schema of documents, in which uses of definitions are those that this one has or includes, by name, with their parameters and what they say of themselves: an
+ * editor completes and checks them. From malloc; NULL: the document has faults. */
+MATC_API char *matc_document_schema(MatcDocument *document);
+
 typedef enum {
     MATC_FRAGMENT = 1, /* GLSL of the fragment program */
     MATC_VERTEX = 2,   /* GLSL of the matching vertex program */
@@ -236,8 +240,21 @@ typedef struct {
 MATC_API int matc_uniform_count(const MatcProgram *program);
 MATC_API const MatcUniform *matc_uniform(const MatcProgram *program, int index);
 
+/* What the program reads of the mesh beside position, normal, texture coordinate and tangents; owned by the program, but its names by the document, which must
+ * still be there. */
+typedef struct {
+    const char *name;      /* in the document: "color", "wetness" */
+    const char *attribute; /* in the vertex program */
+    const char *varying;   /* in the fragment program */
+    int lanes;             /* 1 to 4 */
+    int location;          /* of the attribute; in GLSL that declares none it is bound there by its name, or anywhere */
+    double initial[4];     /* where a mesh has none of that name */
+} MatcAttribute;
+MATC_API int matc_attribute_count(const MatcProgram *program);
+MATC_API const MatcAttribute *matc_attribute(const MatcProgram *program, int index);
+
 /* Values of all slots of a material at a point, by the C reference, in double: one line a slot, its name, then its lanes.
- * `point` sets channels: "u=0.3 v=0.4 x=1 ... front=0". NULL and a message in *fault if it cannot be read.
+ * `point` sets channels, and attributes of the mesh: "u=0.3 v=0.4 x=1 ... front=0 @wetness=1 @color.r=0.5". NULL and a message in *fault if it cannot be read.
  * The text is from malloc. */
 MATC_API char *matc_eval(const MatcDocument *document, int material, const char *point, const MatcOptions *options,
                          const char **fault);

@@ -30,6 +30,8 @@ struct MatcProgram {
     int *texture_made_by;
     int texture_count;
     const LayoutRow *layout; /* NULL: the pass writes none */
+    MatcAttribute attributes[LIMIT_ATTRIBUTES]; /* those in use */
+    int attribute_count;
     MatcUniform *uniforms;   /* those in use */
     int uniform_count;
     MatcConstant *constants;
@@ -223,6 +225,23 @@ static void list_uniforms(MatcProgram *p, const Graph *graph)
     }
 }
 
+/* Those that are live, in the document's order. */
+static void list_attributes(MatcProgram *p, const Graph *graph)
+{
+    bool used[LIMIT_ATTRIBUTES] = {false};
+    for (Ref ref = 1; ref < p->ir->count; ref++)
+        if (ir_is(p->ir, ref, OP_attribute))
+            used[attribute_of(ir_at(p->ir, ref)->payload)] = true;
+    for (int i = 0; i < graph->attribute_count; i++) {
+        const MeshAttribute *own = graph->attributes[i];
+        MatcAttribute attribute = {own->name, emit_attribute_in(&p->arena, own), emit_attribute_out(&p->arena, own),
+                                   type_table[own->type].lanes, emit_attribute_place(i), {0}};
+        memcpy(attribute.initial, own->initial, sizeof attribute.initial);
+        if (used[i])
+            p->attributes[p->attribute_count++] = attribute;
+    }
+}
+
 /* The members of the buffer, with this material's numbers. */
 static void list_constants(MatcProgram *p)
 {
@@ -251,6 +270,7 @@ static bool compile_program(MatcProgram *p)
     if (p->job.pass == PASS_gbuffer || p->job.pass == PASS_plane)
         p->layout = p->job.layout;
     list_uniforms(p, graph);
+    list_attributes(p, graph);
     list_constants(p);
     p->texture_count = texture_list(&p->session, p->ir, NULL, &p->textures, &p->texture_made_by);
     return true;
@@ -334,6 +354,8 @@ const char *matc_target_format(const MatcProgram *p, int index) { return format_
 
 int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
 
+int matc_attribute_count(const MatcProgram *p) { return p->attribute_count; }
+const MatcAttribute *matc_attribute(const MatcProgram *p, int index) { return &p->attributes[index]; }
 const MatcUniform *matc_uniform(const MatcProgram *p, int index) { return &p->uniforms[index]; }
 
 const char *matc_pass(const MatcProgram *p) { return pass_table[p->job.pass].name; }

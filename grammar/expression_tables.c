@@ -47,8 +47,9 @@ const char *term_symbol(Term term)
 }
 
 const QuantityRow quantity_table[QUANTITY_COUNT] = {
-#define CONSTANT(name, number, doc)            {#name, doc, GROUP_COUNT, NULL, number},
-#define QUANTITY(name, channels, letters, doc) {#name, doc, GROUP_##channels, letters, 0},
+#define CONSTANT(name, number, doc)            {#name, doc, GROUP_COUNT, NULL, number, NULL, TYPE_float},
+#define QUANTITY(name, channels, letters, doc) {#name, doc, GROUP_##channels, letters, 0, NULL, TYPE_float},
+#define ATTRIBUTE(name, attribute, type, initial, doc) {#name, doc, GROUP_COUNT, NULL, initial, attribute, TYPE_##type},
 #include "expression.def"
 };
 
@@ -62,8 +63,8 @@ Quantity quantity_named(const char *name, size_t size)
 
 int quantity_width(Quantity quantity)
 {
-    const char *lanes = quantity_table[quantity].lanes;
-    return lanes ? (int)strlen(lanes) : 1;
+    const QuantityRow *row = &quantity_table[quantity];
+    return row->lanes ? (int)strlen(row->lanes) : type_table[row->type].lanes;
 }
 
 const VectorRow vector_table[] = {
@@ -80,6 +81,19 @@ int vector_named(const char *name, size_t size)
     return 0;
 }
 
+const FormulaSpecialRow formula_special_table[SPECIAL_COUNT] = {
+#define SPECIAL(name, form, doc) {#name, form, doc},
+#include "expression.def"
+};
+
+FormulaSpecial formula_special_named(const char *name, size_t size)
+{
+    for (int i = 0; i < SPECIAL_COUNT; i++)
+        if (is_named(formula_special_table[i].name, name, size))
+            return (FormulaSpecial)i;
+    return SPECIAL_none;
+}
+
 const char *expression_word(int i)
 {
     if (i < QUANTITY_COUNT)
@@ -88,6 +102,9 @@ const char *expression_word(int i)
     if (i < vector_count)
         return vector_table[i].name;
     i -= vector_count;
+    if (i < SPECIAL_COUNT)
+        return formula_special_table[i].name;
+    i -= SPECIAL_COUNT;
     for (int term = 0; term < TERM_COUNT; term++)
         if (term_table[term].callable && i-- == 0)
             return term_table[term].name;

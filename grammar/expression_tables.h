@@ -61,18 +61,21 @@ typedef struct {
     const char *name, *doc;
     Group group;       /* of channels */
     const char *lanes; /* of it, letters of xyz; NULL: a constant */
-    double number;     /* of a constant */
+    double number;     /* of a constant; of an attribute all lanes where a mesh has none */
+    const char *attribute; /* of the mesh; NULL: it is none */
+    Type type;             /* of that */
 } QuantityRow;
 typedef enum {
 #define CONSTANT(name, number, doc)       QUANTITY_##name,
 #define QUANTITY(name, group, lanes, doc) QUANTITY_##name,
+#define ATTRIBUTE(name, ...)              QUANTITY_##name,
 #include "expression.def"
     QUANTITY_COUNT,
     QUANTITY_none = QUANTITY_COUNT
 } Quantity;
 extern const QuantityRow quantity_table[QUANTITY_COUNT];
 Quantity quantity_named(const char *name, size_t size);
-/* Its lanes, 1 to 3. */
+/* Its lanes, 1 to 4. */
 int quantity_width(Quantity quantity);
 
 /* Functions that make a vector of so many lanes. */
@@ -85,6 +88,19 @@ extern const int vector_count;
 /* The lanes of what the function makes; 0: none of that name. */
 int vector_named(const char *name, size_t size);
 
-/* The i-th name that a formula may not give to something else: of values, functions and vectors; NULL beyond the last. */
+/* What is called like a function, but takes words. */
+typedef enum {
+#define SPECIAL(name, form, doc) SPECIAL_##name,
+#include "expression.def"
+    SPECIAL_COUNT,
+    SPECIAL_none = SPECIAL_COUNT
+} FormulaSpecial;
+typedef struct {
+    const char *name, *form, *doc;
+} FormulaSpecialRow;
+extern const FormulaSpecialRow formula_special_table[SPECIAL_COUNT];
+FormulaSpecial formula_special_named(const char *name, size_t size);
+
+/* The i-th name that a formula may not give to something else: of values, functions, vectors and what takes words; NULL beyond the last. */
 const char *expression_word(int i);
 #endif

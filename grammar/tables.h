@@ -245,7 +245,7 @@ typedef enum {
 #include "inputs.def"
     INPUT_COUNT
 } Input;
-typedef enum { SOURCE_varying, SOURCE_system, SOURCE_draw, SOURCE_change, SOURCE_vertex } InputSource;
+typedef enum { SOURCE_varying, SOURCE_system, SOURCE_draw, SOURCE_change, SOURCE_vertex, SOURCE_object } InputSource;
 typedef struct {
     const char *name;
     Type type;

@@ -330,6 +330,8 @@ for of in document layout manifest reflection; do
     check "--schema=$of" status 0 "$matc" --schema=$of
     check "is called so" prints "\"title\": \"matc .* $of\""
 done
+check "--schema of a document" status 0 "$matc" --schema examples/materials/brickwork.yaml
+check "names its definitions" grep -q '"ref": {"const": "bricks"}, "columns": {"description": "Bricks in a row."' "$work/stdout"
 check "an unknown schema is wrong usage" status 2 "$matc" --schema=material
 check "--help" status 0 "$matc" --help
 check "--version" status 0 "$matc" --version

@@ -26,6 +26,7 @@ enum {
     LIMIT_PIXELS_MIB = 1024,    /* the pictures of a document, where they are decoded */
     LIMIT_WAVES = 256,          /* waves of a chain, chains in it counted out */
     LIMIT_PARAMS = 4096,        /* uniforms of a document */
+    LIMIT_ATTRIBUTES = 5,       /* of the mesh, of a document: so many locations of 16 are free */
     LIMIT_DEFINITION_PARAMS = 64, /* parameters of a definition */
     LIMIT_COPIES = 200000,      /* values that uses of definitions copy, with arguments in their places */
     LIMIT_FORMULA = 65536,      /* bytes of a formula */

@@ -59,6 +59,8 @@ void describe_functions(Text *out)
     put_lines_of(out, true);
     for (int i = 0; i < vector_count; i++)
         text_format(out, "  %-*s  %s\n", NAME_WIDTH, vector_table[i].name, vector_table[i].doc);
+    for (int i = 0; i < SPECIAL_COUNT; i++)
+        text_format(out, "  %-*s  %s\n", NAME_WIDTH, formula_special_table[i].form, formula_special_table[i].doc);
     text_put(out, "\nOperators of formulas\n");
     put_lines_of(out, false);
     text_put(out, "\nValues of formulas\n");

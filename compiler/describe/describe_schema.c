@@ -32,14 +32,17 @@ static const char parameter_definitions[] =
     "      }\n"
     "    },\n";
 
-/* Definitions that no table speaks of. */
-static const char fixed_definitions[] =
-    "    \"ref\": {\n"
+/* A use of any definition, whatever a document has. */
+static const char any_ref[] =
+    "{\n"
     "      \"description\": \"A map or material of `defs:`.\",\n"
     "      \"type\": \"object\", \"required\": [\"ref\"],\n"
     "      \"properties\": {\"ref\": {\"type\": \"string\"}},\n"
     "      \"additionalProperties\": {\"description\": \"An argument for a parameter of the definition.\"}\n"
-    "    },\n"
+    "    }";
+
+/* Definitions that no table speaks of. */
+static const char fixed_definitions[] =
     "    \"param\": {\n"
     "      \"description\": \"A value that is set at run time: a uniform.\",\n"
     "      \"type\": \"object\", \"required\": [\"param\", \"default\"], \"additionalProperties\": false,\n"
@@ -338,7 +341,7 @@ static void put_materials_document(Text *out)
     text_put(out, "\n      }\n    }\n");
 }
 
-static char *document_schema(void)
+char *describe_document_schema(const char *ref)
 {
     static const char any_value[] = "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        "
                                     "{\"$ref\": \"#/$defs/param\"},\n        {\"$ref\": \"#/$defs/shorthand\"},\n";
@@ -350,6 +353,7 @@ static char *document_schema(void)
     put_top(&out);
     text_put(&out, "  \"$defs\": {\n");
     text_put(&out, parameter_definitions);
+    text_format(&out, "    \"ref\": %s,\n", ref ? ref : any_ref);
     text_format(&out, fixed_definitions, LIMIT_NAME);
     text_put(
         &out,
@@ -373,4 +377,7 @@ static char *document_schema(void)
     return describe_finish(&out);
 }
 
-char *matc_schema(const char *of) { return !of || !strcmp(of, "document") ? document_schema() : describe_file(of); }
+char *matc_schema(const char *of)
+{
+    return !of || !strcmp(of, "document") ? describe_document_schema(NULL) : describe_file(of);
+}

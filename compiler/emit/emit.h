@@ -8,6 +8,10 @@
 /* What the fragment program declares; the vertex program and the reflection go by it. */
 typedef struct {
     bool inputs[INPUT_COUNT];
+    bool attributes[LIMIT_ATTRIBUTES]; /* of the mesh, by index in the graph */
+    bool attribute_changes[LIMIT_ATTRIBUTES]; /* of them: those whose changes to the next pixels are read */
+    const Ir *ir;        /* it goes with */
+    bool instances;      /* of a draw of instances */
     bool *uniforms;      /* by index in the graph */
     bool *counts;        /* of them: those that are ints */
     bool *textures;      /* by index in the Ir */
@@ -55,6 +59,10 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
 
 /* Names in the shader. */
 const char *emit_texture_name(Session *session, const Ir *ir, int texture);
+/* Of an attribute of the mesh: its names in the vertex program and in the fragment program, and its location. */
+const char *emit_attribute_in(Arena *arena, const MeshAttribute *attribute);
+const char *emit_attribute_out(Arena *arena, const MeshAttribute *attribute);
+int emit_attribute_place(int attribute);
 /* Of a varying's location, the same in both programs. */
 int emit_input_location(Input input);
 /* "version" and, for ES, precisions. */

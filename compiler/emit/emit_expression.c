@@ -4,6 +4,7 @@
  *     sub(a, sub(b, c))    a - (b - c): the right operand of - has to bind more tightly than -
  *     sub(sub(a, b), c)    a - b - c */
 #include "compiler/emit/emit_scope.h"
+#include "compiler/emit/emit_declare.h"
 #include <string.h>
 
 bool emit_is_leaf(const Ir *ir, Ref ref)
@@ -64,6 +65,15 @@ static void put_input(Scope *e, Text *out, Ref ref)
         if (change_table[i].input == input)
             e->interface->inputs[change_table[i].of] = true;
     text_put(out, input_table[input].glsl);
+}
+
+static void put_attribute(Scope *e, Text *out, Ref ref)
+{
+    const uint32_t payload = ir_at(e->ir, ref)->payload;
+    e->interface->attributes[attribute_of(payload)] = true;
+    if (attribute_part(payload) != ATTRIBUTE_value)
+        e->interface->attribute_changes[attribute_of(payload)] = true;
+    emit_attribute_name(out, e->ir->graph->attributes[attribute_of(payload)], attribute_part(payload));
 }
 
 static void put_uniform(Scope *e, Text *out, Ref ref)

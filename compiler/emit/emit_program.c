@@ -136,7 +136,34 @@ static void put_changes(Text *out, const Interface *interface, bool shared)
     }
 }
 
-static void declare_changes(Text *out, const Interface *interface)
+static void put_attribute_change(Text *out, const MeshAttribute *attribute, AttributePart part)
+{
+    emit_attribute_name(out, attribute, part);
+    text_put(out, part == ATTRIBUTE_by_x ? " = dFdx(" : " = dFdy(");
+    emit_attribute_name(out, attribute, ATTRIBUTE_value);
+    text_put(out, ");\n");
+}
+
+/* Of attributes of the mesh: of `shared` ones the values, else whole declarations; or the declarations alone. */
+typedef enum { CHANGES_shared, CHANGES_whole, CHANGES_declared } ChangesForm;
+static void put_attribute_changes(Text *out, const Ir *ir, const Interface *interface, ChangesForm form)
+{
+    for (int i = 0; i < ir->graph->attribute_count; i++)
+        for (int part = ATTRIBUTE_by_x; interface->attribute_changes[i] && part <= ATTRIBUTE_by_y; part++) {
+            const MeshAttribute *attribute = ir->graph->attributes[i];
+            text_put(out, form == CHANGES_declared ? "" : "    ");
+            if (form != CHANGES_shared)
+                text_format(out, "%s ", type_table[attribute->type].name);
+            if (form != CHANGES_declared) {
+                put_attribute_change(out, attribute, (AttributePart)part);
+                continue;
+            }
+            emit_attribute_name(out, attribute, (AttributePart)part);
+            text_put(out, ";\n");
+        }
+}
+
+static void declare_changes(Text *out, const Ir *ir, const Interface *interface)
 {
     size_t before = out->size;
     for (int i = 0; i < change_count; i++) {
@@ -144,6 +171,7 @@ static void declare_changes(Text *out, const Interface *interface)
         if (interface->inputs[change_table[i].input])
             text_format(out, "%s %s;\n", type_table[row->type].name, row->glsl);
     }
+    put_attribute_changes(out, ir, interface, CHANGES_declared);
     if (out->size > before)
         text_char(out, '\n');
 }
@@ -159,13 +187,15 @@ static void put_main(Scope *e, Text *out)
             put_output(e, &body, &ir->outputs[i]);
     text_put(out, "void main() {\n");
     put_changes(out, e->interface, ir->function_count > 0);
+    put_attribute_changes(out, ir, e->interface, ir->function_count > 0 ? CHANGES_shared : CHANGES_whole);
     text_add(out, body.at, body.size);
     text_put(out, "}\n");
 }
 
 static Interface new_interface(Session *session, const Ir *ir)
 {
-    return (Interface){.uniforms = ARENA_ARRAY(session->arena, bool, ir->graph->uniform_count),
+    return (Interface){.ir = ir,
+                       .uniforms = ARENA_ARRAY(session->arena, bool, ir->graph->uniform_count),
                        .counts = ARENA_ARRAY(session->arena, bool, ir->graph->uniform_count),
                        .textures = ARENA_ARRAY(session->arena, bool, ir->texture_count)};
 }
@@ -176,9 +206,11 @@ static Interface joined(Session *session, const Ir *ir, const Interface *a, cons
     Interface all = new_interface(session, ir);
     const Interface *const both[] = {a, b};
     memcpy(all.inputs, a->inputs, sizeof all.inputs);
+    memcpy(all.attributes, a->attributes, sizeof all.attributes); /* no vertex stage computes with them */
+    all.instances = a->instances;
     all.members = a->members || b->members;
     for (int i = 0; i < INPUT_COUNT; i++)
-        all.inputs[i] |= b->inputs[i] && input_table[i].source == SOURCE_draw;
+        all.inputs[i] |= b->inputs[i] && (input_table[i].source == SOURCE_draw || input_table[i].source == SOURCE_object);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < ir->graph->uniform_count; i++) {
             all.uniforms[i] |= both[k]->uniforms[i];
@@ -238,6 +270,7 @@ static Interface with_move(Session *session, const Ir *ir, const Job *job, const
     if (!displacement)
         return *fragment;
     Interface own = new_interface(session, ir);
+    own.instances = job->instances;
     VertexMove *move = ARENA_NEW(session->arena, VertexMove);
     Text declarations = text_new(session->arena);
     move->text = move_text(session, ir, job, &own);
@@ -257,6 +290,7 @@ const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interf
     Arena scratch = {0};
     Ref roots[MOST_OUTPUTS];
     Interface own = new_interface(session, ir);
+    own.instances = job->instances;
     Text functions = text_new(session->arena), body = text_new(session->arena), out = text_new(session->arena);
     Scope e = emit_scope_new(session, ir, job, &own, &scratch);
     put_functions(&e, &functions, functions_of(ir, roots, roots_of(ir, roots), &scratch));
@@ -267,7 +301,7 @@ const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interf
     interface->declarations = out.size;
     put_chunks(&out, &own.chunks);
     if (functions.size)
-        declare_changes(&out, &own);
+        declare_changes(&out, ir, &own);
     text_add(&out, functions.at, functions.size);
     text_add(&out, body.at, body.size);
     *size = out.size;

@@ -21,6 +21,9 @@ static int vertices_most(const Interface *interface)
     for (int i = 0; i < INPUT_COUNT; i++)
         if (interface->inputs[i] && input_table[i].source == SOURCE_varying)
             components += type_table[input_table[i].type].lanes;
+    for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
+        if (interface->attributes[i])
+            components += type_table[interface->ir->graph->attributes[i]->type].lanes;
     return COMPONENTS / components < VERTICES ? COMPONENTS / components : VERTICES;
 }
 

@@ -22,6 +22,11 @@ int emit_input_location(Input input)
     return location;
 }
 
+/* Behind all varyings, and what instances have there: their material's number and their own random number. */
+int emit_attribute_location(int attribute) { return emit_object_location() + 1 + attribute; }
+
+int emit_object_location(void) { return emit_input_location(INPUT_COUNT) + 1; }
+
 /* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
 int emit_texture_binding(int index)
 {
@@ -59,6 +64,26 @@ void emit_varying(Text *out, Target target, Input input, const char *word)
                 row->glsl);
 }
 
+void emit_attribute_varyings(Text *out, const Ir *ir, const Job *job, const Interface *interface, const char *word)
+{
+    for (int i = 0; i < ir->graph->attribute_count; i++) {
+        if (!interface->attributes[i])
+            continue;
+        if (target_table[job->target].locations)
+            text_format(out, "layout(location = %d) ", emit_attribute_location(i));
+        text_format(out, "%s %s ", target_table[job->target].in_out ? word : "varying",
+                    type_table[ir->graph->attributes[i]->type].name);
+        emit_attribute_name(out, ir->graph->attributes[i], ATTRIBUTE_value);
+        text_put(out, ";\n");
+    }
+}
+
+void emit_attribute_name(Text *out, const MeshAttribute *attribute, AttributePart part)
+{
+    static const char *const ends[ATTRIBUTE_PARTS] = {"", "ByX", "ByY"};
+    text_format(out, "matc_attribute_%s%s", attribute->name, ends[part]);
+}
+
 static void put_members(Text *out, const Ir *ir, const char *prefix)
 {
     for (size_t i = 0; i < ir->constant_count; i++)
@@ -92,12 +117,18 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     text_put(out, block ? "};\n" : "");
 }
 
+bool emit_is_uniform(const Interface *interface, Input input)
+{
+    const InputSource source = input_table[input].source;
+    return interface->inputs[input] && (source == SOURCE_draw || (source == SOURCE_object && !interface->instances));
+}
+
 /* All plain uniforms: draw inputs, params, those of chunks. `prefix` stands before each. Returns how many. */
 static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, const char *prefix)
 {
     int count = 0;
     for (int i = 0; i < INPUT_COUNT; i++)
-        if (interface->inputs[i] && input_table[i].source == SOURCE_draw) {
+        if (emit_is_uniform(interface, (Input)i)) {
             text_format(out, "%s%s %s;\n", prefix, type_table[input_table[i].type].name, input_table[i].glsl);
             count++;
         }
@@ -189,6 +220,10 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
     for (int i = 0; i < INPUT_COUNT; i++)
         if (d.own->inputs[i] && input_table[i].source == SOURCE_varying)
             emit_varying(out, job->target, (Input)i, "in");
+    emit_attribute_varyings(out, ir, job, d.own, "in");
+    if (job->instances && d.own->inputs[INPUT_object])
+        text_format(out, "layout(location = %d) flat in float %s;\n", emit_object_location(),
+                    input_table[INPUT_object].glsl);
     put_plain(session, out, ir, job, d);
     if (ir->constant_count && job->instances)
         text_format(out, "layout(location = %d) flat in uint matc_material;\n", emit_input_location(INPUT_COUNT));

@@ -10,7 +10,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-static const char *const sources[] = {"varying", "system", "draw", "change", "vertex"};
+static const char *const sources[] = {"varying", "system", "draw", "change", "vertex", "object"};
 
 typedef struct {
     Text *out;
@@ -56,7 +56,7 @@ static void put_offset(Text *out, const Job *job, const char *type, int *size)
 }
 
 /* `size` is that of the uniform block so far. */
-static void put_inputs(Text *out, const Job *job, const Interface *interface, int *size)
+static void put_inputs(Text *out, const Ir *ir, const Job *job, const Interface *interface, int *size)
 {
     List list = open_list(out, "inputs");
     for (int i = 0; i < INPUT_COUNT; i++) {
@@ -68,8 +68,20 @@ static void put_inputs(Text *out, const Job *job, const Interface *interface, in
         json_next(out, "source", sources[row->source]);
         if (row->source == SOURCE_varying && target_table[job->target].locations)
             text_format(out, ", \"location\": %d", emit_input_location((Input)i));
-        if (row->source == SOURCE_draw)
+        if (emit_is_uniform(interface, (Input)i))
             put_offset(out, job, type_table[row->type].name, size);
+        text_put(out, "}");
+    }
+    for (int i = 0; i < ir->graph->attribute_count; i++) {
+        Text name = text_new(ir->arena);
+        if (!interface->attributes[i])
+            continue;
+        next(&list);
+        emit_attribute_name(&name, ir->graph->attributes[i], ATTRIBUTE_value);
+        put_typed(out, name.at, type_table[ir->graph->attributes[i]->type].name);
+        json_next(out, "source", "varying");
+        if (target_table[job->target].locations)
+            text_format(out, ", \"location\": %d", emit_attribute_location(i));
         text_put(out, "}");
     }
     close_list(&list);
@@ -255,7 +267,7 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
     text_put(out, ",\n  \"choices\": ");
     job_put_json(out, job);
     int block = 0;
-    put_inputs(out, job, interface, &block);
+    put_inputs(out, ir, job, interface, &block);
     put_uniforms(out, ir, job, interface, &block);
     put_constants(out, ir, job);
     put_textures(session, out, ir, job, interface);

@@ -128,6 +128,33 @@ static void put_move(Text *out, const VertexMove *move)
                   "        + matc_move.z * matc_up / max(length(matc_up), 1e-30);\n");
 }
 
+/* Those of the mesh that a document names: "float attribute_wetness", behind the others. */
+enum { FIRST_NAMED_LOCATION = BASE_LOCATION + 1 };
+
+int emit_attribute_place(int attribute) { return FIRST_NAMED_LOCATION + attribute; }
+
+const char *emit_attribute_in(Arena *arena, const MeshAttribute *attribute)
+{
+    Text text = text_new(arena);
+    text_format(&text, "attribute_%s", attribute->name);
+    return text.at;
+}
+
+const char *emit_attribute_out(Arena *arena, const MeshAttribute *attribute)
+{
+    Text text = text_new(arena);
+    emit_attribute_name(&text, attribute, ATTRIBUTE_value);
+    return text.at;
+}
+
+static VertexAttribute named_attribute(const Interface *interface, int i)
+{
+    const MeshAttribute *attribute = interface->ir->graph->attributes[i];
+    Text text = text_new(interface->ir->arena);
+    text_format(&text, "%s %s", type_table[attribute->type].name, emit_attribute_in(interface->ir->arena, attribute));
+    return (VertexAttribute){text.at, FIRST_NAMED_LOCATION + i};
+}
+
 /* Which attributes and uniforms the varyings in use read; the position is always one. */
 static void mark_used(const Interface *interface, bool *attribute, bool *uniform)
 {
@@ -142,16 +169,20 @@ static void mark_used(const Interface *interface, bool *attribute, bool *uniform
 }
 
 /* An instance has its place in a buffer; what all instances share, a view, is a block. */
-static void put_instances(Text *out)
+static void put_instances(Text *out, bool random)
 {
     text_format(out, "layout(location = %d) in uint matc_instance;\n", ATTRIBUTE_COUNT);
     text_put(out,
-             "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n    uint material;\n};\n");
+             "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n    uint material;\n");
+    text_put(out, random ? "    float object;\n};\n" : "};\n");
     text_format(out, "layout(std140, binding = %d) readonly buffer Instances {\n    Instance matc_instances[];\n};\n",
                 INSTANCE_BUFFER);
     text_format(out, "layout(std140, binding = %d) uniform View {\n", DRAW_BLOCK);
     text_put(out, "    mat4 matc_clipFromWorld;\n    mat3 matc_eyeNormalFromWorld;\n};\n");
     text_format(out, "layout(location = %d) flat out uint matc_material;\n", emit_input_location(INPUT_COUNT));
+    if (random)
+        text_format(out, "layout(location = %d) flat out float %s;\n", emit_object_location(),
+                    input_table[INPUT_object].glsl);
 }
 
 /* No buffer has what depends on an object and on the view. */
@@ -163,12 +194,14 @@ static const char *expression_of(const Feed *feed, const Job *job)
 }
 
 /* Under the names that uniforms have elsewhere. */
-static void put_own(Text *out, const bool *used)
+static void put_own(Text *out, const bool *used, bool random)
 {
     text_put(out, "    mat4 matc_worldFromLocal = matc_instances[matc_instance].worldFromLocal;\n");
     if (used[UNIFORM_normal] || used[UNIFORM_eye_normal])
         text_put(out, "    mat3 matc_worldNormalFromLocal = matc_instances[matc_instance].worldNormalFromLocal;\n");
     text_put(out, "    matc_material = matc_instances[matc_instance].material;\n");
+    if (random)
+        text_format(out, "    %s = matc_instances[matc_instance].object;\n", input_table[INPUT_object].glsl);
 }
 
 int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAttribute list[VERTEX_ATTRIBUTES])
@@ -186,6 +219,9 @@ int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAtt
             list[count++] = (VertexAttribute){displacement_attributes[i], FIRST_MOVE_LOCATION + i};
     if (job->moved && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X]))
         list[count++] = (VertexAttribute){base_attribute, BASE_LOCATION};
+    for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
+        if (interface->attributes[i])
+            list[count++] = named_attribute(interface, i);
     return count;
 }
 
@@ -203,12 +239,13 @@ void emit_vertex_declarations(Text *out, const Job *job, const Interface *interf
     bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};
     mark_used(interface, attribute, uniform);
     if (job->instances)
-        put_instances(out);
+        put_instances(out, interface->inputs[INPUT_object]);
     else
         put_uniforms(out, job->target, uniform, uniforms, UNIFORM_COUNT);
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
             emit_varying(out, job->target, feeds[i].input, "out");
+    emit_attribute_varyings(out, interface->ir, job, interface, "out");
     if (interface->move)
         text_format(out, "%s\n%s", interface->move->declarations, interface->move->text);
     else
@@ -220,10 +257,16 @@ void emit_vertex_body(Text *out, const Job *job, const Interface *interface)
     bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};
     mark_used(interface, attribute, uniform);
     if (job->instances)
-        put_own(out, uniform);
+        put_own(out, uniform, interface->inputs[INPUT_object]);
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
             text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, expression_of(feed_of(job, i), job));
+    for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
+        if (interface->attributes[i]) {
+            text_put(out, "    ");
+            emit_attribute_name(out, interface->ir->graph->attributes[i], ATTRIBUTE_value);
+            text_format(out, " = attribute_%s;\n", interface->ir->graph->attributes[i]->name);
+        }
     if (interface->move)
         put_move(out, interface->move);
     text_put(out, interface->move
@@ -317,6 +360,22 @@ static void describe(Text *out, const char *declaration, const char *key, int va
     text_char(out, '}');
 }
 
+/* An attribute that the document names: by that name, and what a mesh without it has. */
+static void describe_named(Text *out, const Interface *interface, int i, bool located)
+{
+    const MeshAttribute *attribute = interface->ir->graph->attributes[i];
+    const VertexAttribute named = named_attribute(interface, i);
+    describe(out, named.declaration, "location", located ? named.location : -1);
+    out->at[--out->size] = 0; /* its bracket */
+    json_next(out, "attribute", attribute->name);
+    text_put(out, ", \"default\": [");
+    for (int lane = 0; lane < type_table[attribute->type].lanes; lane++) {
+        text_put(out, lane ? ", " : "");
+        text_double(out, attribute->initial[lane]);
+    }
+    text_put(out, "]}");
+}
+
 void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
 {
     const TargetRow *target = &target_table[job->target];
@@ -346,6 +405,11 @@ void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
         text_put(out, ", ");
         describe(out, base_attribute, "location", target->in_out ? BASE_LOCATION : -1);
     }
+    for (int i = 0; i < LIMIT_ATTRIBUTES && !screen; i++)
+        if (interface->attributes[i]) {
+            text_put(out, ", ");
+            describe_named(out, interface, i, target->in_out);
+        }
     text_put(out, "], \"uniforms\": [");
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
         if (uniform[i]) {

@@ -7,7 +7,7 @@ typedef struct {
     const char *declaration; /* "vec3 position" */
     int location;
 } VertexAttribute;
-enum { VERTEX_ATTRIBUTES = 10 };
+enum { VERTEX_ATTRIBUTES = 10 + LIMIT_ATTRIBUTES };
 /* What it reads from the mesh; how many. */
 int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAttribute list[VERTEX_ATTRIBUTES]);
 /* "vec3 position": position. */

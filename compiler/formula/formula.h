@@ -13,6 +13,7 @@ typedef enum {
     FORMULA_number, /* number */
     FORMULA_value,  /* row: a Quantity */
     FORMULA_input,  /* row: which of the inputs */
+    FORMULA_attribute, /* row: which of the document's attributes */
     FORMULA_name,   /* until it is checked: a value or an input */
     FORMULA_term,   /* row: a Term, of its arguments */
     FORMULA_power,  /* of its argument, with a whole number that stands there itself: number */
@@ -44,8 +45,17 @@ typedef struct Formula {
     int inputs;      /* so many are used: 0 .. inputs - 1 */
     bool jumps;      /* something in it jumps, and is no constant */
     bool varies;     /* it reads a point or an input */
+    bool meshed;     /* it reads attributes of the mesh */
     unsigned groups; /* 1 << Group of what it reads of a point */
 } Formula;
+
+/* attribute("wetness", float, 0), as it stands there. */
+typedef struct {
+    const char *name;
+    Type type;
+    double initial[4];
+    uint32_t start, end; /* bytes of the text: the name, with its quotes */
+} FormulaAttribute;
 
 /* What a name beyond the built-in ones stands for: which input, or one of these. */
 enum { FORMULA_UNKNOWN = -1, FORMULA_SAID = -2 };
@@ -59,6 +69,8 @@ typedef struct {
     Span (*span)(void *user, uint32_t start, uint32_t end);
     /* An input by its name, and its width; FORMULA_UNKNOWN; FORMULA_SAID: it is one, and has a fault that was reported. */
     int (*input)(void *user, const char *name, const FormulaStep *step, int *width);
+    /* The number of an attribute of the mesh; FORMULA_SAID: it cannot be one, which was reported. */
+    int (*attribute)(void *user, const FormulaAttribute *given);
     /* Names of inputs, for suggestions. */
     NameChoice names;
 } FormulaSource;
@@ -72,6 +84,7 @@ bool formula_check(const FormulaSource *source, Formula *formula);
 typedef struct {
     double quantity[QUANTITY_COUNT][4]; /* constants are not looked at */
     const double (*inputs)[4];
+    const double (*attributes)[4]; /* the document's; a number in all lanes */
     const void *noise;   /* ReferenceContext */
     double (*values)[4]; /* room for formula->count */
 } FormulaPoint;

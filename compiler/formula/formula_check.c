@@ -42,6 +42,19 @@ static const char *value_name(const void *user, int i)
     return i < QUANTITY_COUNT ? quantity_table[i].name : s->names.name(s->names.user, i - QUANTITY_COUNT);
 }
 
+/* A built-in value that is an attribute of the mesh. */
+static int find_attribute(Check *c, FormulaStep *step, const QuantityRow *row)
+{
+    const double all = row->number;
+    const FormulaAttribute given = {row->attribute, row->type, {all, all, all, all}, step->start, step->end};
+    const int number = c->s->attribute(c->s->user, &given);
+    if (number < 0)
+        return fail(c);
+    step->kind = FORMULA_attribute;
+    step->row = (uint16_t)number;
+    return type_table[row->type].lanes;
+}
+
 static int find_name(Check *c, FormulaStep *step)
 {
     const uint32_t size = step->end - step->start;
@@ -50,6 +63,8 @@ static int find_name(Check *c, FormulaStep *step)
     int width = 0;
     if (quantity != QUANTITY_none) {
         const QuantityRow *row = &quantity_table[quantity];
+        if (row->attribute)
+            return find_attribute(c, step, row);
         step->kind = row->lanes ? FORMULA_value : FORMULA_number;
         step->row = (uint16_t)quantity;
         step->number = row->number;
@@ -63,7 +78,8 @@ static int find_name(Check *c, FormulaStep *step)
         c->f->inputs = input >= c->f->inputs ? input + 1 : c->f->inputs;
         return width;
     }
-    const bool called = term_named(name, size) != TERM_none || vector_named(name, size);
+    const bool called = term_named(name, size) != TERM_none || vector_named(name, size) ||
+                        formula_special_named(name, size) != SPECIAL_none;
     if (input == FORMULA_UNKNOWN && called)
         diag_add(c->session, span_of(c, step), DIAG_formula_is_function, name, name);
     else if (input == FORMULA_UNKNOWN)
@@ -213,6 +229,8 @@ static int width_of(Check *c, FormulaStep *step)
     switch (step->kind) {
     case FORMULA_number:
         return 1;
+    case FORMULA_attribute:
+        return step->width;
     case FORMULA_name:
         return find_name(c, step);
     case FORMULA_term:
@@ -228,7 +246,8 @@ static int width_of(Check *c, FormulaStep *step)
 static void measure(Check *c, uint32_t number)
 {
     const FormulaStep *step = &c->f->steps[number];
-    c->varies[number] = step->kind == FORMULA_value || step->kind == FORMULA_input;
+    c->varies[number] = step->kind == FORMULA_value || step->kind == FORMULA_input || step->kind == FORMULA_attribute;
+    c->f->meshed |= step->kind == FORMULA_attribute;
     for (uint32_t i = 0; i < step->count; i++) {
         const uint32_t below = formula_argument(c->f, step, i);
         c->varies[number] |= c->varies[below];

@@ -66,6 +66,13 @@ static uint32_t symbol_end(const FormulaSource *s, uint32_t at)
     return s->text[at] && strchr("()[],;=?:.", s->text[at]) ? at + 1 : at;
 }
 
+/* Behind the quote that ends the text; `at`: nothing ends it. */
+static uint32_t text_end(const FormulaSource *s, uint32_t at)
+{
+    const char *end = memchr(s->text + at + 1, s->text[at], s->size - at - 1);
+    return end ? (uint32_t)(end - s->text) + 1 : at;
+}
+
 Token formula_token(const FormulaSource *s, uint32_t at)
 {
     while (at < s->size && is_space(s->text[at]))
@@ -85,6 +92,9 @@ Token formula_token(const FormulaSource *s, uint32_t at)
         token.kind = TOKEN_name;
         if (c == '#')
             read_color(s, &token);
+    } else if ((c == '"' || c == '\'') && text_end(s, at) > at) {
+        token.kind = TOKEN_text;
+        token.end = text_end(s, at);
     } else if ((token.end = symbol_end(s, at)) > at) {
         token.kind = TOKEN_symbol;
     } else {

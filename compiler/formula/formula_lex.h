@@ -8,6 +8,7 @@ typedef enum {
     TOKEN_number, /* number */
     TOKEN_color,  /* lanes of color */
     TOKEN_name,
+    TOKEN_text,   /* in quotes, of either kind, which belong to it */
     TOKEN_symbol, /* operators, brackets, and , ; = ? : . */
     TOKEN_other,  /* a character that no formula has; a number or a colour that is none */
 } TokenKind;

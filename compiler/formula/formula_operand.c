@@ -5,7 +5,10 @@
 static const char *function_name(const void *user, int i)
 {
     (void)user;
-    return i < TERM_COUNT ? (term_table[i].callable ? term_table[i].name : NULL) : vector_table[i - TERM_COUNT].name;
+    if (i < TERM_COUNT)
+        return term_table[i].callable ? term_table[i].name : NULL;
+    i -= TERM_COUNT;
+    return i < vector_count ? vector_table[i].name : formula_special_table[i - vector_count].name;
 }
 
 /* name "(" */
@@ -22,7 +25,7 @@ static void open_call(FormulaReader *r, Token name)
         const char *called = formula_word(r, name);
         r->faults++;
         diag_add(r->session, formula_span(r, name.start, name.end), DIAG_formula_no_function, called,
-                 diag_suggest(r->session, called, function_name, NULL, TERM_COUNT + vector_count));
+                 diag_suggest(r->session, called, function_name, NULL, TERM_COUNT + vector_count + SPECIAL_COUNT));
     }
     formula_wait(r, wait);
 }
@@ -54,12 +57,14 @@ void formula_say_other(FormulaReader *r)
     static const char *const meant[][2] = {{"×", "; * is the product"},  {"·", "; * is the product"},
                                            {"÷", "; / is the quotient"}, {"−", "; - is the minus sign"},
                                            {"π", "; it is written pi"},  {"$", "; names have no mark"},
-                                           {"\"", "; it has no texts"},  {"'", "; it has no texts"}};
+                                           {"\"", "; this quote is not closed"}, {"'", "; this quote is not closed"}};
     const char *hint = "";
     for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
         if (strlen(meant[i][0]) == formula_token_size(r->token) &&
             !memcmp(meant[i][0], r->s->text + r->token.start, formula_token_size(r->token)))
             hint = meant[i][1];
+    if (r->token.kind == TOKEN_text)
+        hint = "; attribute() alone takes texts";
     r->faults++;
     diag_add(r->session, formula_token_span(r), DIAG_formula_other, formula_token_text(r->s, r->token), hint);
 }
@@ -102,9 +107,17 @@ bool formula_operand(FormulaReader *r)
             read_name(r, token);
             return true;
         }
+        if (formula_special_named(r->s->text + token.start, formula_token_size(token)) == SPECIAL_attribute) {
+            formula_read_attribute(r, token);
+            return true;
+        }
         open_call(r, token);
         formula_next(r);
         return formula_is(r, ")"); /* without arguments */
+    case TOKEN_text:
+        formula_say_other(r);
+        formula_push_fault(r);
+        break;
     case TOKEN_other:
         formula_say_other(r);
         formula_next(r);

@@ -39,7 +39,7 @@ static void read_local(FormulaReader *r)
     const char *called = formula_word(r, name);
     const uint32_t size = formula_token_size(name);
     const bool word = term_named(called, size) != TERM_none || quantity_named(called, size) != QUANTITY_none ||
-                      vector_named(called, size);
+                      vector_named(called, size) || formula_special_named(called, size) != SPECIAL_none;
     if (word || names_find(&r->locals, called) >= 0) {
         r->faults++;
         diag_add(r->session, formula_token_span(r), word ? DIAG_formula_hides : DIAG_formula_local, called);

@@ -66,6 +66,8 @@ void formula_reduce(FormulaReader *r);
 void formula_reduce_to(FormulaReader *r, OperatorLevel level, bool from_left);
 /* Reads where a value is wanted. False: one is still. formula_operand.c */
 bool formula_operand(FormulaReader *r);
+/* attribute(...), from its bracket on. formula_attribute.c */
+void formula_read_attribute(FormulaReader *r, Token name);
 /* Reads behind a value. False: another one is wanted next. *ended: it is whole. formula_operator.c */
 bool formula_operator(FormulaReader *r, bool *ended);
 #endif

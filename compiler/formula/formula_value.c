@@ -222,6 +222,7 @@ static void step_value(const Formula *f, const FormulaStep *step, const FormulaP
         result[lane] = step->kind == FORMULA_number  ? step->number
                        : step->kind == FORMULA_value ? point->quantity[step->row][lane]
                        : step->kind == FORMULA_input ? point->inputs[step->row][lane]
+                       : step->kind == FORMULA_attribute ? point->attributes[step->row][lane]
                        : step->kind == FORMULA_power ? whole_power(a[lane], (int)step->number)
                        : step->kind == FORMULA_lanes ? a[step->row >> 2 * lane & 3]
                                                      : 0;

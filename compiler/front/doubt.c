@@ -21,6 +21,7 @@ typedef enum {
     ASKED_slope = 16,    /* by u and v */
     ASKED_other = 32,    /* normal, index of refraction, position in the world */
     ASKED_light = 64,    /* a colour that light is made of, of any strength */
+    ASKED_shape = 128,   /* also: where points move goes by it */
     ASKED_shown = ASKED_color | ASKED_shininess,
 } Asked;
 
@@ -179,6 +180,8 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
         return asked_by_math(asked);
     if (section_of(node->kind) != SECTION_material)
         return asked;
+    if (!strcmp(param->name, "displacement") || !strcmp(param->name, "displacementVector"))
+        return ASKED_color | ASKED_shape;
     if (strstr(param->name, "hininess"))
         return ASKED_shininess;
     if ((node->kind == KIND_Principled || node->kind == KIND_Layer) && !param_is_colored((int)(param - param_table)))
@@ -190,17 +193,18 @@ static void ask_below(Doubts *d, const Node *node, unsigned asked)
 {
     const KindRow *row = &kind_table[node->kind];
     const bool material = section_of(node->kind) == SECTION_material;
+    const unsigned shape = asked & ASKED_shape;
     for (int i = 0; i < row->count && (material || asked); i++) {
         const ParamRow *param = &param_table[row->first + i];
         const Value *value = &node->params[i];
         const bool input = !strcmp(param->name, "input");
         for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
-            ask(d, node, value->items->item[k].input, node->kind == KIND_Expression ? ASKED_other : asked);
+            ask(d, node, value->items->item[k].input, node->kind == KIND_Expression ? ASKED_other | shape : asked);
         if (value->kind == VALUE_node && param->type == PARAM_Map)
             ask(d, node, value->node,
-                !input     ? asked_of_param(node, param, asked)
-                : material ? ASKED_other
-                           : asked_of_input(node, asked));
+                shape | (!input     ? asked_of_param(node, param, asked)
+                         : material ? ASKED_other
+                                    : asked_of_input(node, asked)));
     }
 }
 
@@ -278,7 +282,7 @@ static void doubt_unstored(const Doubts *d, const Node *node)
     const KindRow *row = &kind_table[node->kind];
     for (int i = 0; i < row->count; i++)
         if (param_is_unstored(row->first + i) && !value_is_zero(&node->params[i]))
-            diag_add(d->session, node->params[i].span, DIAG_unstored, param_table[row->first + i].name, row->name);
+            diag_add(d->session, node->params[i].span, DIAG_unstored, node_written_param(node, i), node_written_name(node));
 }
 
 /* A part of a Phong that the Principled which a Layer makes of it has no slot for. */
@@ -310,7 +314,7 @@ static void doubt_fuzz(const Doubts *d, const Node *node)
 static void doubt_mixed(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
-    const char *name = node->kind == KIND_MixMaterial ? "Mix" : row->name;
+    const char *name = node->kind == KIND_MixMaterial ? "Mix" : node_written_name(node);
     unsigned models = 0;
     for (int i = 0; i < row->count; i++)
         if (param_table[row->first + i].type == PARAM_Material && node->params[i].kind == VALUE_node)
@@ -331,6 +335,18 @@ static void doubt_mixed(const Doubts *d, const Node *node)
     }
 }
 
+/* A formula in a displacement. */
+static void doubt_shape(const Doubts *d, const Node *node)
+{
+    const Value *is = node_param(node, P_Expression_is);
+    if (is->kind != VALUE_formula)
+        return;
+    if (is->formula->meshed)
+        diag_add(d->session, node->span, DIAG_displaced_attribute, "attributes of the mesh as their defaults");
+    if (is->formula->groups >> GROUP_O & 1)
+        diag_add(d->session, node->span, DIAG_displaced_attribute, "objectRandom as 0");
+}
+
 /* In the order of the document, inputs before their users. */
 static void say(Doubts *d, const Node *node)
 {
@@ -341,6 +357,8 @@ static void say(Doubts *d, const Node *node)
         doubt_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)
         doubt_use(d, node);
+    if (node->kind == KIND_Expression && d->asked[node->index] & ASKED_shape)
+        doubt_shape(d, node);
     doubt_lack(d, node);
 }
 

@@ -31,6 +31,15 @@ typedef struct {
     int index; /* in the document's list of uniforms */
 } Uniform;
 
+/* What the mesh has at its vertices, by name. Equal names of one document are one attribute. */
+typedef struct {
+    const char *name;
+    Type type;         /* float, vec2, vec3 or vec4 */
+    double initial[4]; /* where a mesh has none of the name */
+    Span span;
+    int index; /* in the document's list of attributes */
+} MeshAttribute;
+
 typedef struct {
     const char *path; /* as written, joined to the document's folder */
     int width, height;
@@ -45,6 +54,7 @@ typedef struct Value {
     ValueKind kind;
     Type type;  /* of a number or uniform, before any conversion */
     bool given; /* stands in the document; false: the default */
+    int16_t written; /* of a material of another model: 1 + the author's parameter that it was made of; 0: it is the author's own */
     Span span;
     union {
         double number[4]; /* lanes of the type; bool and int too */
@@ -70,7 +80,16 @@ struct Node {
     const char *owner; /* whose part it is: the name nearest above it, or the slot; NULL: neither */
     bool steps;  /* it, or a map below, has a STEP row: it jumps or is a picture */
     int8_t width; /* lanes of its value as a formula reads it: 1 to 4; 0 of a material */
+    Kind written; /* what the author wrote: its kind, or that of another model which became it */
 };
+
+/* What the author calls a material or map, and its parameter of that place: for messages. */
+static inline const char *node_written_name(const Node *node) { return kind_table[node->written].name; }
+static inline const char *node_written_param(const Node *node, int i)
+{
+    const int written = node->params[i].written;
+    return param_table[written ? written - 1 : kind_table[node->kind].first + i].name;
+}
 
 typedef struct {
     Value value;       /* Float */
@@ -118,6 +137,9 @@ typedef struct {
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
     Names uniform_names; /* theirs, in the same order */
+    MeshAttribute *const *attributes; /* LIMIT_ATTRIBUTES at most */
+    int attribute_count;
+    Names attribute_names; /* theirs, in the same order */
     const Image *const *images;
     int image_count;
 } Graph;

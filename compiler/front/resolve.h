@@ -21,6 +21,9 @@ typedef struct {
     Uniform **uniforms;
     size_t uniform_count, uniform_room;
     Names uniform_names;
+    MeshAttribute **attributes;
+    size_t attribute_count, attribute_room;
+    Names attribute_names;
     const Image **images;
     size_t image_count, image_room;
     Names image_paths;

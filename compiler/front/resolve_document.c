@@ -220,6 +220,9 @@ Graph *resolve(Session *session, Tree *document)
     graph->uniforms = r.uniforms;
     graph->uniform_count = (int)r.uniform_count;
     graph->uniform_names = r.uniform_names;
+    graph->attributes = r.attributes;
+    graph->attribute_count = (int)r.attribute_count;
+    graph->attribute_names = r.attribute_names;
     graph->images = r.images;
     graph->image_count = (int)r.image_count;
     if (!fine || session->diags.errors)

@@ -92,6 +92,33 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
     return names_add(r->session->arena, &in->names, name);
 }
 
+/* The document's attribute of that name, made on first use. */
+static int find_attribute(void *user, const FormulaAttribute *given)
+{
+    const Inputs *in = user;
+    Resolver *r = in->r;
+    const Span span = place(user, given->start, given->end);
+    const int found = names_find(&r->attribute_names, given->name);
+    if (found >= 0) {
+        const MeshAttribute *known = r->attributes[found];
+        const size_t size = sizeof(double) * (size_t)type_table[given->type].lanes;
+        if (known->type == given->type && !memcmp(known->initial, given->initial, size))
+            return found;
+        diag_add(r->session, span, DIAG_attribute_conflict, given->name);
+        diag_add(r->session, known->span, DIAG_first_given);
+        return FORMULA_SAID;
+    }
+    if (r->attribute_count == LIMIT_ATTRIBUTES) {
+        diag_add(r->session, span, DIAG_too_many_attributes, LIMIT_ATTRIBUTES);
+        return FORMULA_SAID;
+    }
+    MeshAttribute *attribute = ARENA_NEW(r->session->arena, MeshAttribute);
+    *attribute = (MeshAttribute){.name = given->name, .type = given->type, .span = span, .index = (int)r->attribute_count};
+    memcpy(attribute->initial, given->initial, sizeof attribute->initial);
+    ARENA_PUSH(r->session->arena, r->attributes, r->attribute_count, r->attribute_room, attribute);
+    return names_add(r->session->arena, &r->attribute_names, attribute->name);
+}
+
 bool resolve_is_formula(const Tree *tree)
 {
     return tree->kind == TREE_scalar && tree->count > 0 && tree->text[0] == '=';
@@ -121,6 +148,7 @@ static const Formula *read_formula(Inputs *in)
         .user = in,
         .span = place,
         .input = find_input,
+        .attribute = find_attribute,
         .names = {name_of, in, name_count(in)},
     };
     return formula_read(&source);
@@ -142,8 +170,8 @@ bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *par
 /* What a formula reads that is not known when the program is compiled; NULL: nothing. */
 static const char *unknown_part(const Inputs *in, const Formula *formula)
 {
-    if (formula->groups)
-        return "the point";
+    if (formula->groups || formula->meshed)
+        return formula->groups ? "the point" : "the mesh";
     for (size_t i = 0; i < in->count; i++) {
         const Node *node = in->items[i].input;
         if (!node || node->kind != KIND_Constant || node->params->kind != VALUE_number)
@@ -204,7 +232,8 @@ static bool check_names(Resolver *r, const Tree *with)
         for (uint32_t k = 0; k < member->size; k++)
             named &= text_is_alphanumeric(key[k]) || key[k] == '_';
         const bool hides = term_named(key, member->size) != TERM_none ||
-                           quantity_named(key, member->size) != QUANTITY_none || vector_named(key, member->size);
+                           quantity_named(key, member->size) != QUANTITY_none || vector_named(key, member->size) ||
+                           formula_special_named(key, member->size) != SPECIAL_none;
         if (!named || hides)
             diag_add(r->session, member->span, hides ? DIAG_formula_hides : DIAG_formula_input_name, key);
         resolve_map(r, member->value, &fault);

@@ -105,6 +105,7 @@ const Node *resolve_make_node(Resolver *r, Node of)
     node->index = r->node_count++;
     node->owner = r->owner;
     ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
+    node->written = of.written ? of.written : of.kind; /* kind 0 is of no other model */
     node->width = (int8_t)width_of_node(node);
     return measure(r, node) ? node : NULL;
 }

@@ -120,7 +120,7 @@ static bool known_input(const Item *item, double lanes[4])
 static bool value_with(const Foreign *s, const Formula *formula, const double guess[4], double result[4])
 {
     double(*room)[4] = arena_zero(s->r->session->arena, (s->count + formula->count) * sizeof *room);
-    bool known = !formula->groups;
+    bool known = !formula->groups && !formula->meshed;
     for (size_t i = 0; known && i < s->count; i++)
         if (!known_input(&s->items[i], room[i])) {
             known = guess != NULL;
@@ -150,8 +150,12 @@ static const Node *expression(Foreign *s, const Formula *formula)
 static Value translated(Foreign *s, const char *text)
 {
     const int alone = find_param(s->kind, text);
-    if (alone >= 0)
-        return s->params[alone];
+    const int own = kind_table[s->kind].first;
+    if (alone >= 0) {
+        Value same = s->params[alone];
+        same.written = (int16_t)(1 + own + alone);
+        return same;
+    }
     const Formula *formula = read_formula(s, text);
     if (!formula)
         return (Value){0};
@@ -162,6 +166,7 @@ static Value translated(Foreign *s, const char *text)
     return (Value){.kind = node ? VALUE_node : VALUE_none,
                    .node = node,
                    .given = s->given != NULL,
+                   .written = (int16_t)(s->given ? 1 + own + (s->given - s->params) : 0),
                    .span = s->given ? s->given->span : s->span};
 }
 
@@ -179,7 +184,11 @@ static Value over_normal(Foreign *s, const TranslationRow *row, Value there)
     params[P_NormalMap_normal - first] = *map;
     params[P_NormalMap_scale - first] = s->params[row->scale - own];
     const Node *node = resolve_make_node(s->r, (Node){.kind = KIND_NormalMap, .span = map->span, .params = params});
-    return (Value){.kind = node ? VALUE_node : VALUE_none, .node = node, .given = true, .span = map->span};
+    return (Value){.kind = node ? VALUE_node : VALUE_none,
+                   .node = node,
+                   .given = true,
+                   .written = (int16_t)(1 + row->map),
+                   .span = map->span};
 }
 
 /* It is 0 whatever maps are that are not known: as a factor that is known is. */
@@ -236,6 +245,7 @@ const Node *resolve_translate(Resolver *r, Node of)
         fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;
     }
     say_losses(&s);
+    of.written = of.kind;
     of.kind = KIND_Principled;
     of.params = params;
     return fine ? resolve_make_node(r, of) : NULL;

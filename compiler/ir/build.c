@@ -14,6 +14,11 @@ Ref build_leaf(Ir *ir, Op op, Type type, int index)
     return ir_make(ir, (IrNode){.op = op, .type = type, .payload = (uint32_t)index}, NULL);
 }
 
+Ref build_attribute(Ir *ir, int attribute, AttributePart part)
+{
+    return build_leaf(ir, OP_attribute, ir->graph->attributes[attribute]->type, attribute * ATTRIBUTE_PARTS + (int)part);
+}
+
 Ref build_input(Ir *ir, Input input) { return build_leaf(ir, OP_input, input_table[input].type, input); }
 
 Ref build_scale(Ir *ir, Ref a, double factor) { return build_mul(ir, a, build_float(ir, factor)); }

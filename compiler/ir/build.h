@@ -91,6 +91,7 @@ Ref build_vec3(Ir *ir, double x, double y, double z);
 Ref build_truth(Ir *ir, bool value);
 Ref build_all(Ir *ir, Type type, double value);
 Ref build_input(Ir *ir, Input input);
+Ref build_attribute(Ir *ir, int attribute, AttributePart part);
 /* A uniform, a texture, a constant of the IR, by its index. */
 Ref build_leaf(Ir *ir, Op op, Type type, int index);
 

@@ -30,6 +30,7 @@ typedef enum {
     PAYLOAD_none,     /* but of a select, 1: it is a guard, whose last operand nobody reads; build_guard */
     PAYLOAD_numbers,  /* the first of its numbers */
     PAYLOAD_input,    /* an Input */
+    PAYLOAD_attribute, /* 3 times the graph's, by index, and which: AttributePart */
     PAYLOAD_uniform,  /* the graph's, by index */
     PAYLOAD_member,   /* the IR's, by index */
     PAYLOAD_argument, /* whose set << 8 | its number */
@@ -39,6 +40,11 @@ typedef enum {
     PAYLOAD_function  /* of the program, by index; ir_applies */
 } Payload;
 extern const uint8_t op_payload[]; /* Payload, of each operation */
+
+/* Of an attribute: itself, and its change to the next pixel. */
+typedef enum { ATTRIBUTE_value, ATTRIBUTE_by_x, ATTRIBUTE_by_y, ATTRIBUTE_PARTS } AttributePart;
+static inline uint32_t attribute_of(uint32_t payload) { return payload / ATTRIBUTE_PARTS; }
+static inline AttributePart attribute_part(uint32_t payload) { return (AttributePart)(payload % ATTRIBUTE_PARTS); }
 
 /* What a node is made for: the surface point that a pass starts from, a slot, or a map, by its number in Ir.maps. Names and comments
  * go by it, and nothing else: equal nodes are one node, which keeps the origin that it was made with. */

@@ -48,6 +48,14 @@ static void eval_uniform(const Site *s, double *result)
     copy(s->node, s->e->ir->graph->uniforms[s->node->payload]->initial, result);
 }
 
+/* As of a mesh that has none: its default, which does not change. */
+static void eval_attribute(const Site *s, double *result)
+{
+    static const double none[4] = {0};
+    const double *initial = s->e->ir->graph->attributes[attribute_of(s->node->payload)]->initial;
+    copy(s->node, attribute_part(s->node->payload) == ATTRIBUTE_value ? initial : none, result);
+}
+
 static void eval_member(const Site *s, double *result)
 {
     copy(s->node, s->e->ir->constants[s->node->payload].numbers, result);

@@ -19,6 +19,8 @@ static void print_numbers(Text *out, int type, const double *numbers)
     }
 }
 
+static const char *const attribute_ends[ATTRIBUTE_PARTS] = {"", ".byX", ".byY"};
+
 static void print_payload(Text *out, const Ir *ir, const IrNode *node)
 {
     switch ((Payload)op_payload[node->op]) {
@@ -27,6 +29,10 @@ static void print_payload(Text *out, const Ir *ir, const IrNode *node)
         break;
     case PAYLOAD_input:
         text_format(out, " %s", input_table[node->payload].name);
+        break;
+    case PAYLOAD_attribute:
+        text_format(out, " %s%s", ir->graph->attributes[attribute_of(node->payload)]->name,
+                    attribute_ends[attribute_part(node->payload)]);
         break;
     case PAYLOAD_uniform:
         text_format(out, " %s", ir->graph->uniforms[node->payload]->name);

@@ -90,6 +90,18 @@ static int defined_function(const Scanner *s, int number)
     return known ? number : -1;
 }
 
+/* "wetness", "wetness.byX": one that the graph has; -1: it has none. */
+static int attribute_payload(const Graph *graph, const char *text)
+{
+    char name[LIMIT_NAME + 8];
+    const size_t size = strcspn(text, ".");
+    memcpy(name, text, size);
+    name[size] = 0;
+    const int found = names_find(&graph->attribute_names, name);
+    const AttributePart part = !text[size] ? ATTRIBUTE_value : strcmp(text + size, ".byX") ? ATTRIBUTE_by_y : ATTRIBUTE_by_x;
+    return found < 0 ? -1 : found * ATTRIBUTE_PARTS + (int)part;
+}
+
 /* The payload that a word names; -1: it names nothing that exists. */
 static int named_payload(const Scanner *s, Payload kind, Type type, const char *text)
 {
@@ -97,6 +109,8 @@ static int named_payload(const Scanner *s, Payload kind, Type type, const char *
     switch (kind) {
     case PAYLOAD_input:
         return find(text, input_name, INPUT_COUNT);
+    case PAYLOAD_attribute:
+        return attribute_payload(s->ir->graph, text);
     case PAYLOAD_uniform:
         return names_find(&s->ir->graph->uniform_names, text);
     case PAYLOAD_argument:

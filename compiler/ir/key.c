@@ -90,6 +90,10 @@ static void put_payload(Walk *w, const IrNode *node)
 {
     const Ir *ir = w->ir;
     switch ((Payload)op_payload[node->op]) {
+    case PAYLOAD_attribute: /* the index is a location */
+        put(w, node->payload);
+        put_text(w, ir->graph->attributes[attribute_of(node->payload)]->name);
+        break;
     case PAYLOAD_uniform:
         put_text(w, ir->graph->uniforms[node->payload]->name);
         break;

@@ -110,7 +110,7 @@ void lower_mark_head(Ir *ir, Ref value, uint32_t origin)
 {
     value = repeated(ir, value);
     IrNode *node = &ir->nodes[value];
-    if (node->op == OP_const || node->op == OP_input || node->head)
+    if (node->op == OP_const || node->op == OP_input || node->op == OP_attribute || node->head)
         return;
     node->origin = origin;
     node->head = 1;
@@ -122,6 +122,8 @@ static Ref root_of(Lower *l, Group group, const Env *env)
     Ir *ir = l->ir;
     if (group == GROUP_T)
         return build_input(ir, INPUT_time);
+    if (group == GROUP_O)
+        return env->shape ? build_float(ir, 0) : build_input(ir, INPUT_object);
     if (group == GROUP_E)
         return env->seen ? build_input(ir, INPUT_viewer)
                          : build_vec(ir, TYPE_vec4, env->root[GROUP_N], build_float(ir, 0));

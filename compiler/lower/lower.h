@@ -9,6 +9,7 @@ typedef struct {
     Ref root[GROUP_COUNT];
     Ref front;   /* bool: seen from the front */
     bool seen;   /* there is a viewer */
+    bool shape;  /* of a displacement, which goes by places alone: attributes have their defaults, and the object's random number is 0 */
     Ref eye_n;   /* the root normal in eye space, 0 if only eyeFromWorld can tell */
     int number;  /* for the memo: of how many filters it is the inside, and at which place; Place */
     bool relief; /* for the memo too: within a displacement, whose slope by u and v is asked; relief.c */

@@ -81,6 +81,7 @@ static Slopes slopes_of(Lower *l, const Node *displaced, const Env *env)
     const Type type = d.vector->kind == VALUE_node ? TYPE_vec3 : TYPE_float;
     Env unseen = *env; /* a shape is the same for all who look at it; nothing but displacement is asked in this environment */
     unseen.seen = false;
+    unseen.shape = true;
     Slopes s = relief_slopes_of(l, lower_displacement, displaced, &unseen);
     s.u = build_or_zero(l->ir, s.u, type);
     s.v = build_or_zero(l->ir, s.v, type);
@@ -122,9 +123,11 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
 {
     Ref none = build_float(l->ir, 0);
     Slopes s = {none, none};
+    Env shape = *env; /* as its slopes have it */
+    shape.shape = true;
     if (displaced)
         s = slopes_of(l, displaced, env);
-    put(l, 0, displaced ? lower_displacement(l, displaced, env) : none);
+    put(l, 0, displaced ? lower_displacement(l, displaced, &shape) : none);
     put(l, 1, s.u);
     put(l, 2, s.v);
 }
@@ -133,7 +136,7 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
 static Env vertex_env(Lower *l)
 {
     Ir *ir = l->ir;
-    Env env = {.front = build_truth(ir, true), .number = ENV_VERTEX};
+    Env env = {.front = build_truth(ir, true), .number = ENV_VERTEX, .shape = true};
     env.root[GROUP_P] = build_input(ir, INPUT_vertexP);
     env.root[GROUP_N] = build_input(ir, INPUT_vertexN);
     env.root[GROUP_DU] = build_input(ir, INPUT_vertexDU);

@@ -12,6 +12,7 @@
 typedef struct {
     Ref quantity[QUANTITY_COUNT];
     Ref *inputs;
+    Ref attributes[LIMIT_ATTRIBUTES];
 } Leaves;
 
 /* V = E.xyz - E.w P, of unit length: the same of parallel rays and of those that meet in an eye. It goes from the surface, wherever `input` moves. */
@@ -76,6 +77,8 @@ static Ref step_of(Lower *l, const Formula *f, const FormulaStep *step, const Le
         return leaves->quantity[step->row];
     case FORMULA_input:
         return leaves->inputs[step->row];
+    case FORMULA_attribute:
+        return leaves->attributes[step->row];
     case FORMULA_power:
         return lower_whole_power(l, refs[formula_argument(f, step, 0)], (int)step->number);
     case FORMULA_lanes:
@@ -136,6 +139,11 @@ static Ref sampled(Lower *l, const Reading *r)
         for (int i = 0; r->leaves.quantity[q] && i < MOST_TAPS; i++)
             leaves[i].quantity[q] = at[i];
     }
+    for (int k = 0; k < LIMIT_ATTRIBUTES; k++) {
+        changes |= r->leaves.attributes[k] && spread(l, r->leaves.attributes[k], at);
+        for (int i = 0; r->leaves.attributes[k] && i < MOST_TAPS; i++)
+            leaves[i].attributes[k] = at[i];
+    }
     for (int k = 0; k < r->inputs; k++) {
         changes |= spread(l, r->leaves.inputs[k], at);
         for (int i = 0; i < MOST_TAPS; i++)
@@ -146,6 +154,15 @@ static Ref sampled(Lower *l, const Reading *r)
         sum = sum ? build_add(ir, sum, value) : value;
     }
     return changes ? build_scale(ir, sum, 1.0 / MOST_TAPS) : 0;
+}
+
+/* What the mesh has, which goes by the point that is shaded, wherever `input` moves. */
+static Ref attribute_at(Lower *l, int number, const Env *env)
+{
+    const MeshAttribute *attribute = l->graph->attributes[number];
+    const bool mesh = !env->shape && l->job->pass != PASS_plane && l->job->pass != PASS_sky;
+    return mesh ? build_attribute(l->ir, number, ATTRIBUTE_value)
+                : ir_const(l->ir, attribute->type, attribute->initial);
 }
 
 static void read_leaves(Lower *l, const Node *node, Reading *r, const Env *env)
@@ -159,6 +176,8 @@ static void read_leaves(Lower *l, const Node *node, Reading *r, const Env *env)
         if (r->read[i] && step->kind == FORMULA_value && !r->leaves.quantity[step->row])
             r->leaves.quantity[step->row] =
                 quantity_at(l, lower_param_node(node, P_Expression_input), (Quantity)step->row, env);
+        if (r->read[i] && step->kind == FORMULA_attribute && !r->leaves.attributes[step->row])
+            r->leaves.attributes[step->row] = attribute_at(l, step->row, env);
         if (r->read[i] && step->kind == FORMULA_input && !r->leaves.inputs[step->row])
             r->leaves.inputs[step->row] = input_at(l, &with->items->item[step->row], env);
     }

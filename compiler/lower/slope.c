@@ -6,6 +6,7 @@
  *     what is made is 3 cos(u), and nothing is left to be folded away */
 #include "compiler/lower/slope.h"
 #include "compiler/lower/address.h"
+#include "compiler/lower/lower_term.h"
 #include "compiler/ir/build_words.h"
 #include <string.h>
 
@@ -253,6 +254,29 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
     return 0;
 }
 
+/* Over a triangle an attribute a is linear, and so are u and v: with its changes to the next pixels and theirs, a_x = a_u u_x + a_v v_x and
+ * a_y = a_u u_y + a_v v_y. By Cramer's rule a_u = (a_x v_y - a_y v_x) / d and a_v = (a_y u_x - a_x u_y) / d of d = u_x v_y - u_y v_x; 0 where d is.
+ *
+ *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u = .3 * .1 / .01 = 3, a_v = 0 */
+static Ref attribute_slope(Lower *l, Ref ref, Direction direction)
+{
+    Ir *ir = l->ir;
+    const int attribute = (int)attribute_of(ir_at(ir, ref)->payload);
+    if (attribute_part(ir_at(ir, ref)->payload) != ATTRIBUTE_value)
+        return 0;
+    Ref ax = build_attribute(ir, attribute, ATTRIBUTE_by_x), ay = build_attribute(ir, attribute, ATTRIBUTE_by_y);
+    if (direction == DIRECTION_right || direction == DIRECTION_up)
+        return direction == DIRECTION_right ? ax : ay;
+    Ref of_x = build_input(ir, INPUT_UX), of_y = build_input(ir, INPUT_UY);
+    Ref ux = build_swizzle(ir, of_x, "x"), vx = build_swizzle(ir, of_x, "y");
+    Ref uy = build_swizzle(ir, of_y, "x"), vy = build_swizzle(ir, of_y, "y");
+    Ref first = build_mul(ir, ux, vy), d = build_sub(ir, first, build_mul(ir, uy, vx));
+    const bool by_v = direction == DIRECTION_v;
+    first = build_mul(ir, by_v ? ay : ax, by_v ? ux : vy);
+    Ref over[] = {build_sub(ir, first, build_mul(ir, by_v ? ax : ay, by_v ? uy : vx)), d, 0, 0, 0};
+    return lower_term(l, TERM_divide, over);
+}
+
 /* The operands' derivatives, 0 where there is none, of LANE_OPERANDS at least; whether any changes. */
 static bool operand_slopes(Lower *l, Ref ref, Direction direction, Ref *slopes)
 {
@@ -361,7 +385,7 @@ Ref slope_of(Lower *l, Ref value, Direction direction)
 Ref slope_detached(Lower *l, Ref value, Direction direction)
 {
     Ref slope = slope_of(l, value, direction);
-    return !slope || ir_is(l->ir, slope, OP_const) || ir_is(l->ir, slope, OP_input) ? slope
+    return !slope || ir_is(l->ir, slope, OP_const) || ir_is(l->ir, slope, OP_input) || ir_is(l->ir, slope, OP_attribute) ? slope
                                                                                     : build_detach(l->ir, slope);
 }
 

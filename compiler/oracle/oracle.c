@@ -36,6 +36,30 @@ bool oracle_surface_set(Surface *surface, const char *name, double value)
     return false;
 }
 
+bool oracle_surface_attribute(const Graph *graph, Surface *surface, const char *name, double value)
+{
+    static const char letters[2][5] = {"xyzw", "rgba"};
+    const char *point = strchr(name, '.');
+    const size_t size = point ? (size_t)(point - name) : strlen(name);
+    for (int i = 0; i < graph->attribute_count; i++) {
+        const MeshAttribute *attribute = graph->attributes[i];
+        const int lanes = type_table[attribute->type].lanes;
+        bool set = false;
+        if (strlen(attribute->name) != size || memcmp(attribute->name, name, size) != 0)
+            continue;
+        for (int lane = 0; lane < lanes; lane++) {
+            const bool meant = point && point[1] && !point[2] && (point[1] == letters[0][lane] || point[1] == letters[1][lane]);
+            if (point && !meant)
+                continue;
+            surface->attributes[i][lane] = value;
+            surface->has |= 1u << (4 * i + lane);
+            set = true;
+        }
+        return set;
+    }
+    return false;
+}
+
 void oracle_derivatives(Oracle *oracle, Choice how) { oracle->derivatives = how; }
 
 void oracle_slope_span(Oracle *oracle, double behind, double ahead)

@@ -3,6 +3,7 @@
  * against it, and `matc --eval` prints it. Uniforms have their defaults. */
 #ifndef MATC_ORACLE_H
 #define MATC_ORACLE_H
+#include "compiler/base/session.h"
 #include "compiler/front/graph.h"
 #include "runtime/library/reference.h"
 
@@ -15,12 +16,17 @@ typedef struct {
     double root[CHANNEL_ID_COUNT]; /* what a map without input reads, by channel id */
     bool front;                    /* seen from the front */
     double local_u[3], local_v[3]; /* how the object position changes by u and v; finite derivatives do not read it */
+    double attributes[LIMIT_ATTRIBUTES][4]; /* of the mesh, by the graph's index, where `has` says so: 1 << (4 index + lane) */
+    uint32_t has; /* else they have their defaults; they do not change from point to point */
 } Surface;
 
 /* Front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0), seen along n, ior 1, the rest 0. */
 void oracle_surface_default(Surface *surface);
 /* Sets a channel by its name ("u", "px", ...). false: no such channel, or one that no surface sets (w, r, g, b, a). */
 bool oracle_surface_set(Surface *surface, const char *name, double value);
+
+/* Sets an attribute of the mesh by its name, all lanes ("wetness") or one of them ("tint.x", "tint.r"). false: the graph has none. */
+bool oracle_surface_attribute(const Graph *graph, Surface *surface, const char *name, double value);
 
 typedef struct {
     double lane[SLOT_COUNT][4]; /* lanes of slot_table[slot].type; the rest 0. Not clamped. */

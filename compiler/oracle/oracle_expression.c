@@ -53,6 +53,19 @@ static void input_at(Environment *environment, const Item *item, double result[4
         result[i] = result[0];
 }
 
+/* A number is in all lanes, as formula_value wants it. */
+static void attributes_at(const Environment *environment, double result[LIMIT_ATTRIBUTES][4])
+{
+    const Graph *graph = environment->oracle->graph;
+    const Surface *surface = environment->surface;
+    for (int i = 0; i < graph->attribute_count; i++)
+        for (int lane = 0; lane < 4; lane++) {
+            const int from = graph->attributes[i]->type == TYPE_float ? 0 : lane;
+            const bool has = surface->has >> (4 * i + from) & 1;
+            result[i][lane] = has ? surface->attributes[i][from] : graph->attributes[i]->initial[from];
+        }
+}
+
 static double noise_work(const Formula *f, const FormulaStep *step)
 {
     const bool octaves = step->row == TERM_fbm || step->row == TERM_fbm3;
@@ -88,6 +101,10 @@ static void value_of(Environment *environment, const Node *node, double result[4
     }
     for (int i = 0; i < inputs; i++)
         input_at(environment, &with->items->item[i], values[f->count + (size_t)i]);
+    double attributes[LIMIT_ATTRIBUTES][4];
+    if (f->meshed)
+        attributes_at(environment, attributes);
+    point.attributes = (const double(*)[4])attributes;
     point.inputs = (const double(*)[4])(values + f->count);
     point.values = values;
     if (!oracle_spent(oracle))

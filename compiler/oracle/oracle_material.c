@@ -208,12 +208,15 @@ void oracle_answer_as(Environment *environment, const Node *whole, const Node *s
         oracle_as_principled(result);
 }
 
-/* A shape is the same for all who look at it: where it is asked for, the direction to the viewer is the normal. */
+/* A shape is the same for all who look at it, and goes by places: where it is asked for, the direction to the viewer is the normal, attributes of the
+ * mesh have their defaults, and the object's random number is 0. */
 static Surface unseen(const Surface *surface)
 {
     Surface made = *surface;
     memcpy(&made.root[channel_id(GROUP_E, 0)], &surface->root[channel_id(GROUP_N, 0)], 3 * sizeof *made.root);
     made.root[channel_id(GROUP_E, 3)] = 0;
+    made.root[channel_id(GROUP_O, 0)] = 0;
+    made.has = 0;
     return made;
 }
 

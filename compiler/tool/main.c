@@ -151,16 +151,25 @@ static int print_list(CommandLine *line)
     return answer(line, *kind ? matc_list_of(kind) : matc_list(), options_fault_list(&line->words, kind));
 }
 
-/* --list=FILE, --list FILE..., --explain NAME FILE */
+/* What `--list=` or `--schema=` was given, and is a document; NULL: neither was. */
+static const char *document_asked(const CommandLine *line)
+{
+    const char *given = line->schema ? line->schema : line->list;
+    return given && main_is_document(given) ? given : NULL;
+}
+
+/* --list=FILE, --list FILE..., --explain NAME FILE; --schema the same */
 static bool asks_of_documents(const CommandLine *line)
 {
-    const char *first = line->list && *line->list ? line->list : line->input_count ? line->inputs[0] : "";
-    return line->list ? main_is_document(first) : line->explain && line->input_count && !main_is_own(line->explain);
+    const char *first = document_asked(line) ? document_asked(line) : line->input_count ? line->inputs[0] : "";
+    if (line->schema || line->list)
+        return main_is_document(first);
+    return line->explain && line->input_count && !main_is_own(line->explain);
 }
 
 static int answer_of_documents(CommandLine *line)
 {
-    int status = line->list && *line->list ? main_definitions(line, line->list) : FINE;
+    int status = document_asked(line) ? main_definitions(line, document_asked(line)) : FINE;
     for (int i = 0; i < line->input_count; i++)
         status |= main_definitions(line, line->inputs[i]);
     return status;
@@ -274,11 +283,11 @@ int main(int argc, char **argv)
         print_help();
     else if (line.version)
         puts("matc " MATC_VERSION);
+    else if (asks_of_documents(&line))
+        status = answer_of_documents(&line);
     else if (line.schema)
         status = answer(&line, matc_schema(line.schema),
                         options_fault_value(&line.words, "--schema", line.schema, &(NameChoice){schema_name, NULL, 4}));
-    else if (asks_of_documents(&line))
-        status = answer_of_documents(&line);
     else if (line.list)
         status = print_list(&line);
     else if (line.explain && layout_is_file(line.explain))

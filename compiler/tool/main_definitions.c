@@ -1,4 +1,4 @@
-/* --list FILE and --explain NAME FILE: what documents define. */
+/* --list FILE, --explain NAME FILE and --schema FILE: what documents define. */
 #include "compiler/base/file.h"
 #include "compiler/tool/main.h"
 #include "compiler/tool/options_fault.h"
@@ -35,6 +35,8 @@ bool main_is_own(const char *name)
 /* What is nobody's is wrong usage, as it is without a document. */
 static int answer(CommandLine *line, const char *path, MatcDocument *document)
 {
+    if (line->schema)
+        return say(line, path, matc_document_schema(document), "it has faults");
     if (line->list)
         return say(line, path, matc_definitions(document), "it has no definitions");
     char *text = matc_explain_definition(document, line->explain);

@@ -58,6 +58,7 @@ static const char after_layout[] =
     "  --list FILE          the definitions that a document has, or includes\n"
     "  --explain NAME       one of them; with a FILE, a definition\n"
     "  --schema[=OF]        JSON Schema of document (default), layout, manifest or reflection\n"
+    "  --schema FILE        that of documents, with the definitions that the file has, or includes\n"
     "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"
     "  --diagnostics=FORM   text (default), json\n"
     "  -Wno-NAME            do not give that warning; -Werror, -Werror=NAME: all, or that one, are errors.\n"

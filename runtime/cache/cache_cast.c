@@ -2,6 +2,7 @@
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
 #include "runtime/displace/displaced_traced.h"
+#include "runtime/draw/material_feed.h"
 #include <stdlib.h>
 
 /* A place, with what it is sorted by. */
@@ -82,8 +83,10 @@ static void write_buffers(const GlContext *gl, const Cache *cache, const Spaces 
 }
 
 /* Matrices for who has no instances; an eye, for who asks. */
-static void set_object(const SceneMatrix *world_from_local, Spaces *spaces, Material *material)
+static void set_object(const Scene *scene, int object, Spaces *spaces, Material *material)
 {
+    const SceneMatrix *world_from_local = &scene->objects[object].world_from_local;
+    spaces->object = scene_object_random(object);
     for (int i = 0; i < 16; i++)
         spaces->world_from_local.m[i] = (float)world_from_local->m[i];
     spaces_set(spaces, material);
@@ -150,10 +153,11 @@ void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const Ca
             continue;
         }
         if (material != before || !cache->instances)
-            set_object(&source->scene->objects[place->object].world_from_local, &spaces, material);
+            set_object(source->scene, place->object, &spaces, material);
         material_set_number(material, "glass_map", (float)light->number);
         use(gl, caster, material, before);
         before = material;
+        material_feed(material, &cache->meshes[place->mesh]);
         if (cache->instances)
             mesh_draw_instances(gl, &cache->meshes[place->mesh], start + i, group);
         else

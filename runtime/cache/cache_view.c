@@ -2,6 +2,7 @@
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
 #include "runtime/scene/scene_matrix.h"
+#include "runtime/draw/material_feed.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,6 +57,7 @@ static Spaces spaces_of(const CacheSource *source, int object)
 {
     const SceneMatrix *matrix = &source->scene->objects[object].world_from_local;
     Spaces spaces = source->space->spaces;
+    spaces.object = scene_object_random(object);
     for (int i = 0; i < 16; i++)
         spaces.world_from_local.m[i] = (float)matrix->m[i];
     set_plane(matrix, &spaces);
@@ -83,7 +85,7 @@ static bool write_places(GlContext *gl, const CacheSource *source, const Cache *
         return gl_fail(gl, "out of memory");
     for (int i = 0; i < count; i++) {
         const CachePlace *place = &cache->places[first + i];
-        rows[i] = instance_of(&source->scene->objects[place->object].world_from_local, place->row);
+        rows[i] = instance_of(source->scene, place->object, place->row);
     }
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, cache->matrices);
     if (count == cache->place_count)
@@ -243,6 +245,7 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent)
         if (&kind->material != before && kind->numbers)
             gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_NUMBERS, kind->numbers);
         before = &kind->material;
+        material_feed(&kind->material, &cache->meshes[drawable->mesh]);
         if (cache->instances)
             mesh_draw_instances(gl, &cache->meshes[drawable->mesh], drawable->first_seen, drawable->seen);
         else

@@ -19,9 +19,10 @@ static void put_matrix(const Mat3 *from, float columns[3][4])
         columns[i / 3][i % 3] = from->m[i];
 }
 
-Instance instance_of(const SceneMatrix *world_from_local, int material)
+Instance instance_of(const Scene *scene, int object, int material)
 {
-    Instance instance = {.material = (uint32_t)material};
+    Instance instance = {.material = (uint32_t)material, .object = scene_object_random(object)};
+    const SceneMatrix *world_from_local = &scene->objects[object].world_from_local;
     Mat4 matrix;
     for (int i = 0; i < 16; i++)
         matrix.m[i] = (float)world_from_local->m[i];

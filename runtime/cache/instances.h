@@ -12,7 +12,8 @@ typedef struct {
     float world_from_local[16];
     float world_normal_from_local[3][4];
     uint32_t material; /* in matc_numbers */
-    uint32_t nothing[3];
+    float object;      /* its random number */
+    uint32_t nothing[2];
 } Instance;
 
 /* The block View. */
@@ -23,6 +24,6 @@ typedef struct {
 
 /* The driver draws instances so: OpenGL 4.5, with storage buffers in both stages. */
 bool instances_there(const GlContext *gl);
-Instance instance_of(const SceneMatrix *world_from_local, int material);
+Instance instance_of(const Scene *scene, int object, int material);
 InstanceView instance_view(const Spaces *spaces);
 #endif

@@ -1,10 +1,11 @@
 /* Uploads vertices, and writes the vertex program that passes them through. */
 #include "runtime/draw/field.h"
+#include "runtime/gl/mesh.h"
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { TEXT_ROOM = 8192 };
+enum { TEXT_ROOM = 12288 };
 
 static const char *const attributes[FIELD_VARYINGS + 1] = {
     "at", "in_P", "in_N", "in_DU", "in_DV", "in_U", "in_X", "in_eyeN", "in_ray", "in_XU", "in_XV",
@@ -60,7 +61,8 @@ static int location(int input)
 /* Appends like snprintf. */
 #define PUT(...) (size += snprintf(text + size, size < TEXT_ROOM ? (size_t)(TEXT_ROOM - size) : 0, __VA_ARGS__))
 
-static void write_vertex(Target target, const char *fragment, char text[TEXT_ROOM])
+/* Attributes that the document names have their defaults: what is drawn has no mesh. */
+static void write_vertex(Target target, const MatcProgram *program, const char *fragment, char text[TEXT_ROOM])
 {
     const bool old = !target_table[target].in_out, located = target_table[target].locations;
     const char *in = old ? "attribute" : "in", *out = old ? "varying" : "out";
@@ -75,7 +77,22 @@ static void write_vertex(Target target, const char *fragment, char text[TEXT_ROO
             PUT("layout(location = %d) ", location(i));
         PUT("%s %s %s;\n", out, type_table[row->type].name, row->glsl);
     }
+    static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
+    const int named = program ? matc_attribute_count(program) : 0;
+    for (int i = 0; i < named; i++) {
+        const MatcAttribute *attribute = matc_attribute(program, i);
+        if (located)
+            PUT("layout(location = %d) ", location(INPUT_COUNT) + 2 + attribute->location - MESH_ATTRIBUTE_end);
+        PUT("%s %s %s;\n", out, types[attribute->lanes], attribute->varying);
+    }
     PUT("void main() {\n");
+    for (int i = 0; i < named; i++) {
+        const MatcAttribute *attribute = matc_attribute(program, i);
+        PUT("    %s = %s(", attribute->varying, types[attribute->lanes]);
+        for (int lane = 0; lane < attribute->lanes; lane++)
+            PUT("%s%.9g", lane ? ", " : "", attribute->initial[lane]);
+        PUT(");\n");
+    }
     for (int i = 0; i < FIELD_VARYINGS; i++)
         if (declares(fragment, &input_table[i]))
             PUT("    %s = %s;\n", input_table[i].glsl, attributes[1 + i]);
@@ -87,7 +104,7 @@ bool field_material(Store *store, MatcProgram *program, const FieldText *text, M
 {
     char vertex[TEXT_ROOM];
     const char *fragment = text->fragment ? text->fragment : matc_output(program, MATC_FRAGMENT, NULL);
-    write_vertex(text->target, fragment, vertex);
+    write_vertex(text->target, program, fragment, vertex);
     return material_make(store, program,
                          &(ProgramText){.vertex = {vertex},
                                         .fragment = {fragment, text->library},

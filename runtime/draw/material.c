@@ -1,5 +1,6 @@
 /* From a compiled program to uniforms, textures and buffers. */
 #include "runtime/draw/material.h"
+#include "runtime/draw/material_feed.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -156,7 +157,10 @@ static ProgramText complete(const ProgramText *text, const MatcProgram *program)
 static bool make(Material *m, MatcProgram *program, const ProgramText *text)
 {
     static const float identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, along_z[4] = {0, 0, 1, 0};
-    const ProgramText whole = complete(text, program);
+    const char *names[MATERIAL_FEED_NAMES];
+    ProgramText whole = complete(text, program);
+    if (program && !material_feed_make(m, program, names, &whole))
+        return false;
     if (program && matc_texture_count(program) > most_textures(m))
         return gl_fail(context(m), "it has %d textures, and the driver room for %d", matc_texture_count(program),
                        most_textures(m)); /* a driver would say so in words of its own */
@@ -191,6 +195,7 @@ void material_delete(Material *m)
     }
     free(m->values);
     free(m->blocks);
+    free(m->feeds);
     if (m->store)
         store_drop(m->store, m->program);
     *m = (Material){0};

@@ -22,6 +22,8 @@ typedef struct {
     int texture_count;
     float (*values)[16]; /* its own, as is what follows: of program->uniforms that are plain, 0 before they are set */
     struct MaterialBlock *blocks;
+    struct MeshFeed *feeds; /* attributes of meshes that it reads by name */
+    int feed_count;
 } Material;
 
 /* Makes it of a program, with the defaults of its uniforms, ior 1 and an eye that looks as the world does. `text` is the GLSL, or

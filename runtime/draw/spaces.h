@@ -9,6 +9,7 @@ typedef struct {
     float eye[3];      /* in the world */
     float viewer[4];   /* the eye and 1, or, of parallel rays, the direction toward it and 0 */
     float time;        /* seconds */
+    float object;      /* the object's random number, in [0, 1) */
     float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
     bool parallel;     /* rays are parallel: `rays` says from where to where they are drawn instead */
     float rays[4][3];  /* an eye; from there to the plane at the picture's middle; its step to the right, and upwards */

@@ -94,6 +94,8 @@
     F(UNIFORMMATRIX3FV, UniformMatrix3fv)                                                                              \
     F(UNIFORMMATRIX4FV, UniformMatrix4fv)                                                                              \
     F(USEPROGRAM, UseProgram)                                                                                          \
+    F(VERTEXATTRIB4FV, VertexAttrib4fv)                                                                                \
+    F(DISABLEVERTEXATTRIBARRAY, DisableVertexAttribArray)                                                              \
     F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                                        \
     F(VIEWPORT, Viewport)
 

@@ -60,6 +60,12 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
                        GL_STATIC_DRAW);
         gl->VertexAttribPointer(MESH_ATTRIBUTE_basePosition, 3, GL_FLOAT, GL_FALSE, 0, NULL);
     }
+    for (int i = 0; i < SHAPE_EXTRAS; i++)
+        if (shape->extra[i]) {
+            gl->BindBuffer(GL_ARRAY_BUFFER, mesh->extras[i]);
+            gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->extra[i],
+                           shape->extra[i], GL_STATIC_DRAW);
+        }
     gl->BindVertexArray(0); /* before the buffers: the array would forget its indices */
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
@@ -69,6 +75,9 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
     memset(made, 0, sizeof *made);
     gl->GenVertexArrays(1, &made->array);
     gl->GenBuffers(shape->base ? 3 : 2, made->buffers);
+    for (int i = 0; i < SHAPE_EXTRAS; i++)
+        if (shape->extra[i])
+            gl->GenBuffers(1, &made->extras[i]);
     upload(gl, made, shape);
     made->index_count = shape->index_count;
     made->body = shape_body(shape);
@@ -115,6 +124,35 @@ bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made)
     return done;
 }
 
+static GLuint extra_of(const Mesh *mesh, const char *name)
+{
+    for (int i = 0; i < SHAPE_EXTRAS; i++)
+        if (!strcmp(shape_extra_names[i], name))
+            return mesh->extras[i];
+    return 0;
+}
+
+/* An attribute without an array has the context's current value. */
+void mesh_feed(const GlContext *gl, const Mesh *mesh, const MeshFeed *feeds, int count)
+{
+    if (!count)
+        return;
+    gl->BindVertexArray(mesh->array);
+    for (int i = 0; i < count; i++) {
+        const GLuint buffer = extra_of(mesh, feeds[i].name);
+        if (!buffer) {
+            gl->DisableVertexAttribArray(feeds[i].location);
+            gl->VertexAttrib4fv(feeds[i].location, feeds[i].initial);
+            continue;
+        }
+        gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+        gl->EnableVertexAttribArray(feeds[i].location);
+        gl->VertexAttribPointer(feeds[i].location, 4, GL_FLOAT, GL_FALSE, 0, NULL);
+    }
+    gl->BindVertexArray(0);
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
 void mesh_draw(const GlContext *gl, const Mesh *mesh)
 {
     gl->BindVertexArray(mesh->array);
@@ -144,5 +182,6 @@ void mesh_delete(const GlContext *gl, Mesh *mesh)
 {
     gl->DeleteVertexArrays(1, &mesh->array); /* GL ignores the name 0 */
     gl->DeleteBuffers(3, mesh->buffers);
+    gl->DeleteBuffers(SHAPE_EXTRAS, mesh->extras);
     memset(mesh, 0, sizeof *mesh);
 }

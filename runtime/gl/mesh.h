@@ -27,6 +27,7 @@ extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_end];
 typedef struct {
     GLuint array;      /* vertex array */
     GLuint buffers[3]; /* vertices, indices, base positions where they are others */
+    GLuint extras[SHAPE_EXTRAS]; /* four lanes a vertex; 0: the shape has none */
     GLsizei index_count;
     ShapeBody body; /* what it encloses */
 } Mesh;
@@ -47,6 +48,15 @@ bool mesh_make_captured(GlContext *gl, Mesh *made);
 /* Says where attributes lie in the array and the buffer that are bound, a row of ShapeVertex: those that shade, and those
  * of displacement, which are the same. */
 void mesh_point_attributes(const GlContext *gl);
+
+/* An attribute that a program reads by a name of a document's. */
+typedef struct MeshFeed {
+    const char *name;
+    GLuint location;
+    float initial[4]; /* of a mesh that has none of that name */
+} MeshFeed;
+/* Points the program's attributes at what the mesh has under their names; before it is drawn. */
+void mesh_feed(const GlContext *gl, const Mesh *mesh, const MeshFeed *feeds, int count);
 
 /* Draws with the current program into the current framebuffer. */
 void mesh_draw(const GlContext *gl, const Mesh *mesh);

@@ -178,10 +178,32 @@ bool shape_make_detailed(ShapeKind kind, const int steps[2], Shape *made)
     return true;
 }
 
+const char *const shape_extra_names[SHAPE_EXTRAS] = {"color", "uv1"};
+
+void shape_copy_extras(Shape *made, uint32_t to, const Shape *shape, uint32_t from)
+{
+    for (int i = 0; i < SHAPE_EXTRAS; i++)
+        if (made->extra[i] && shape->extra[i])
+            memcpy(made->extra[i][to], shape->extra[i][from], sizeof *shape->extra[i]);
+}
+
+bool shape_grow_extras(Shape *shape, int vertices)
+{
+    for (int i = 0; i < SHAPE_EXTRAS; i++) {
+        float(*grown)[4] = shape->extra[i] ? realloc(shape->extra[i], (size_t)vertices * sizeof *grown + 1) : NULL;
+        if (shape->extra[i] && !grown)
+            return false;
+        shape->extra[i] = grown;
+    }
+    return true;
+}
+
 void shape_free(Shape *shape)
 {
     free(shape->vertices);
     free(shape->indices);
     free(shape->base);
+    for (int i = 0; i < SHAPE_EXTRAS; i++)
+        free(shape->extra[i]);
     memset(shape, 0, sizeof *shape);
 }

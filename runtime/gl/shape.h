@@ -25,11 +25,16 @@ typedef struct {
     float tangentV[3]; /* dP/dv */
 } ShapeVertex;
 
+/* What materials know as attributes of the mesh, where a file has it. */
+typedef enum { SHAPE_EXTRA_color, SHAPE_EXTRA_uv1, SHAPE_EXTRAS } ShapeExtra;
+extern const char *const shape_extra_names[SHAPE_EXTRAS]; /* "color", "uv1" */
+
 typedef struct {
     ShapeVertex *vertices;
     uint32_t *indices; /* triangles */
     int vertex_count, index_count;
     float (*base)[3]; /* by vertex: where it was before the shape was displaced; NULL: it was not */
+    float (*extra[SHAPE_EXTRAS])[4]; /* by vertex; NULL: it has none */
 } Shape;
 
 /* The name of a kind ("sphere") and back; false for a name that is none. */
@@ -40,6 +45,10 @@ bool shape_find(const char *name, ShapeKind *kind);
 bool shape_make(ShapeKind kind, Shape *made);
 /* The same in another number of steps along u and v, each at least 1. */
 bool shape_make_detailed(ShapeKind kind, const int steps[2], Shape *made);
+/* Vertices `to` on of one shape have what `from` has of the other; its extras have room for it, or are not there. */
+void shape_copy_extras(Shape *made, uint32_t to, const Shape *shape, uint32_t from);
+/* Room for as many vertices, in extras that are there; those beyond the old ones are as they come. False: out of memory. */
+bool shape_grow_extras(Shape *shape, int vertices);
 void shape_free(Shape *shape);
 
 /* What a shape's triangles enclose, vertices in one place taken together. Wrong about one of 2^63 that enclose less. shape_closed.c */

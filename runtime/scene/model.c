@@ -6,6 +6,7 @@
 #include "runtime/scene/model_divide.h"
 #include "runtime/scene/model_import.h"
 #include <errno.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,10 +23,11 @@ enum { HAS_MEMORY_LIMIT = 1 };
 
 enum { MESSAGE = 1024, BROKEN = 3 };
 
-/* What goes through the pipe first; then vertices, indices, runs. */
+/* What goes through the pipe first; then vertices, indices, runs, and the extras that there are. */
 typedef struct {
     bool done, has_normals, has_coordinates;
     int vertex_count, index_count, run_count;
+    bool extras[SHAPE_EXTRAS];
     char error[MESSAGE];
 } Head;
 
@@ -92,11 +94,16 @@ static _Noreturn void import_and_send(const char *path, int pipe)
     head.vertex_count = parts.shape.vertex_count;
     head.index_count = parts.shape.index_count;
     head.run_count = parts.run_count;
+    for (int i = 0; i < SHAPE_EXTRAS; i++)
+        head.extras[i] = parts.shape.extra[i] != NULL;
     bool sent = send_all(pipe, &head, sizeof head);
     if (sent && head.done)
         sent = send_all(pipe, parts.shape.vertices, (size_t)head.vertex_count * sizeof *parts.shape.vertices) &&
                send_all(pipe, parts.shape.indices, (size_t)head.index_count * sizeof *parts.shape.indices) &&
                send_all(pipe, parts.runs, (size_t)head.run_count * sizeof *parts.runs);
+    for (int i = 0; sent && head.done && i < SHAPE_EXTRAS; i++)
+        sent = !head.extras[i] ||
+               send_all(pipe, parts.shape.extra[i], (size_t)head.vertex_count * sizeof *parts.shape.extra[i]);
     _exit(sent ? 0 : BROKEN);
 }
 
@@ -112,6 +119,24 @@ static bool are_whole(const ModelRun *runs, const Head *head)
     return indices == head->index_count;
 }
 
+/* Numbers that are none, or infinite, are 0. */
+static bool receive_extras(int pipe, const Head *head, Shape *shape)
+{
+    for (int i = 0; i < SHAPE_EXTRAS; i++) {
+        if (!head->extras[i])
+            continue;
+        shape->extra[i] = calloc((size_t)head->vertex_count + 1, sizeof *shape->extra[i]);
+        if (!shape->extra[i])
+            abort();
+        if (!receive_all(pipe, shape->extra[i], (size_t)head->vertex_count * sizeof *shape->extra[i]))
+            return false;
+        for (int k = 0; k < 4 * head->vertex_count; k++)
+            if (!isfinite(shape->extra[i][k / 4][k % 4]))
+                shape->extra[i][k / 4][k % 4] = 0;
+    }
+    return true;
+}
+
 /* What the other process says; false: it said it not, or not to its end. */
 static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
 {
@@ -124,14 +149,16 @@ static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
         head->index_count > MODEL_INDICES || head->run_count < 0 || head->run_count > MODEL_RUNS)
         return false;
     *runs = calloc((size_t)head->run_count + 1, sizeof **runs);
-    *shape = (Shape){calloc((size_t)head->vertex_count + 1, sizeof *shape->vertices),
-                     calloc((size_t)head->index_count + 1, sizeof *shape->indices), head->vertex_count,
-                     head->index_count, NULL};
+    *shape = (Shape){.vertices = calloc((size_t)head->vertex_count + 1, sizeof *shape->vertices),
+                     .indices = calloc((size_t)head->index_count + 1, sizeof *shape->indices),
+                     .vertex_count = head->vertex_count,
+                     .index_count = head->index_count};
     if (!shape->vertices || !shape->indices || !*runs)
         abort();
     return receive_all(pipe, shape->vertices, (size_t)head->vertex_count * sizeof *shape->vertices) &&
            receive_all(pipe, shape->indices, (size_t)head->index_count * sizeof *shape->indices) &&
-           receive_all(pipe, *runs, (size_t)head->run_count * sizeof **runs) && are_whole(*runs, head);
+           receive_all(pipe, *runs, (size_t)head->run_count * sizeof **runs) && are_whole(*runs, head) &&
+           receive_extras(pipe, head, shape);
 }
 
 /* What comes of reading a file, and what it is read into. */

@@ -57,12 +57,19 @@ static bool take_vertices(const Shape *shape, uint32_t *place, uint32_t taken, S
         if (place[own->indices[i]] <= taken)
             place[own->indices[i]] = taken + (uint32_t)++own->vertex_count;
     own->vertices = malloc((size_t)own->vertex_count * sizeof *own->vertices + 1);
-    for (int i = 0; own->vertices && i < own->index_count; i++) {
+    bool room = own->vertices != NULL;
+    for (int i = 0; room && i < SHAPE_EXTRAS; i++)
+        if (shape->extra[i]) {
+            own->extra[i] = calloc((size_t)own->vertex_count + 1, sizeof *own->extra[i]);
+            room = own->extra[i] != NULL;
+        }
+    for (int i = 0; room && i < own->index_count; i++) {
         const uint32_t from = own->indices[i];
         own->indices[i] = place[from] - taken - 1;
         own->vertices[own->indices[i]] = shape->vertices[from];
+        shape_copy_extras(own, own->indices[i], shape, from);
     }
-    return own->vertices != NULL;
+    return room;
 }
 
 bool model_divide(const Shape *shape, const ModelRun *runs, int run_count, ModelPart **made, int *count)

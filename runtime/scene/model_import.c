@@ -39,9 +39,39 @@ static void count(const struct aiScene *scene, size_t *vertices, size_t *indices
 
 static void put(float to[3], const struct aiVector3D *from) { to[0] = from->x, to[1] = from->y, to[2] = from->z; }
 
+/* What the meshes have of the extras; those that lack it are white, and have the second texture coordinate 0. */
+static bool make_extras(const struct aiScene *scene, size_t vertices, ModelParts *parts)
+{
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *mesh = scene->mMeshes[m];
+        const bool has[SHAPE_EXTRAS] = {mesh->mColors[0] != NULL, mesh->mTextureCoords[1] != NULL};
+        for (int i = 0; i < SHAPE_EXTRAS && has_triangles(mesh); i++) {
+            if (!has[i] || parts->shape.extra[i])
+                continue;
+            if (!(parts->shape.extra[i] = calloc(vertices + 1, sizeof *parts->shape.extra[i])))
+                return false;
+            for (size_t k = 0; i == SHAPE_EXTRA_color && k < 4 * vertices; k++)
+                parts->shape.extra[i][k / 4][k % 4] = 1;
+        }
+    }
+    return true;
+}
+
+static void put_extras(const struct aiMesh *mesh, unsigned i, Shape *shape)
+{
+    float(*color)[4] = shape->extra[SHAPE_EXTRA_color], (*uv1)[4] = shape->extra[SHAPE_EXTRA_uv1];
+    if (color && mesh->mColors[0])
+        memcpy(color[shape->vertex_count], &mesh->mColors[0][i], sizeof *color);
+    if (uv1 && mesh->mTextureCoords[1]) {
+        uv1[shape->vertex_count][0] = mesh->mTextureCoords[1][i].x;
+        uv1[shape->vertex_count][1] = mesh->mTextureCoords[1][i].y;
+    }
+}
+
 static void add_vertices(const struct aiMesh *mesh, ModelParts *parts)
 {
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        put_extras(mesh, i, &parts->shape);
         ShapeVertex *vertex = &parts->shape.vertices[parts->shape.vertex_count++];
         put(vertex->position, &mesh->mVertices[i]);
         if (mesh->mNormals)
@@ -90,7 +120,7 @@ static bool take(const struct aiScene *scene, ModelParts *parts, char *error, si
     parts->shape.vertices = calloc(vertices + 1, sizeof *parts->shape.vertices);
     parts->shape.indices = calloc(indices + 1, sizeof *parts->shape.indices);
     parts->runs = calloc((size_t)scene->mNumMeshes + 1, sizeof *parts->runs);
-    if (!parts->shape.vertices || !parts->shape.indices || !parts->runs)
+    if (!parts->shape.vertices || !parts->shape.indices || !parts->runs || !make_extras(scene, vertices, parts))
         return message_fail(error, room, "out of memory");
     for (unsigned m = 0; m < scene->mNumMeshes; m++)
         if (has_triangles(scene->mMeshes[m]))

@@ -44,6 +44,7 @@ static void append_doubles(Shape *shape, const unsigned char *turns, uint32_t *l
             continue;
         left[i] = (uint32_t)shape->vertex_count++;
         shape->vertices[left[i]] = shape->vertices[i];
+        shape_copy_extras(shape, left[i], shape, (uint32_t)i);
         if (kept)
             memcpy(kept[left[i]], kept[i], sizeof *kept);
     }
@@ -58,6 +59,8 @@ static bool part(Shape *shape, unsigned char *turns, uint32_t *left, float (*kep
     if (!vertices)
         return false;
     shape->vertices = vertices;
+    if (!shape_grow_extras(shape, shape->vertex_count + both))
+        return false;
     append_doubles(shape, turns, left, kept);
     for (int i = 0; i < shape->index_count; i += 3)
         if (turn_of(shape, &shape->indices[i]) == TO_LEFT)

@@ -169,6 +169,9 @@ void scene_lights_shadow(Scene *scene, Word method);
 /* The same as of Shadows, of the list Indirect. */
 bool scene_indirect_find(const char *name, Word *method);
 const char *scene_indirect_name(Word word);
+/* The random number that materials know the object of that index by: objectRandom of formulas. In [0, 1), in steps of 2^-24: of object 0 .8833, from the generator
+ * of Scatter, seeded by the index. scene_scatter.c */
+float scene_object_random(int object);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
 /* It can have shadows by a method of the list Shadows. */
 bool scene_light_takes(const SceneLight *light, Word method);

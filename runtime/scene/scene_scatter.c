@@ -14,6 +14,12 @@ uint64_t scene_scatter_next(uint64_t *state)
     return z ^ z >> 31;
 }
 
+float scene_object_random(int object)
+{
+    uint64_t state = (uint64_t)object;
+    return (float)(scene_scatter_next(&state) >> 40) / 16777216;
+}
+
 static double part(uint64_t *state) { return (double)(scene_scatter_next(state) >> 11) / 9007199254740992.0; }
 
 /* A turn that takes z to the normal n, after Duff and others (2017). With g = 1 or -1, the sign of n's z, a = -1 / (g + nz) and b = nx ny a, x and y go to

@@ -1,0 +1,124 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout compact
+
+in vec3 worldNormal;
+in vec3 worldTangentU;
+in vec3 worldTangentV;
+in vec2 uv;
+in vec4 matc_attribute_color;
+in float matc_attribute_wetness;
+in vec2 matc_attribute_uv1;
+uniform float matc_object;
+uniform mat3 matc_eyeFromWorld;
+layout(location = 0) out uvec4 fragment0;
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
+// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
+// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
+float phongExponent(float x) {
+    float y = x * (2.0 - x);
+    float w = min((1.0 - x) * (1.0 - x), 0.25);
+    float s = w / (2.0 - w);
+    float s2 = s * s;
+    float series = s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0))));
+    float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
+    float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
+    return y > 0.0 ? exponent : 0.0;
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
+// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
+// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+uint sharedExponentBits(vec3 v, int bits) {
+    float steps = float(1 << bits);
+    vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);
+    float greatest = max(max(c.x, c.y), max(c.z, 1.0 / 65536.0));
+    int e = int(floatBitsToUint(greatest) >> 23) - 111;
+    float scale = uintBitsToFloat(uint(142 + bits - e) << 23);
+    if (floor(greatest * scale + 0.5) >= steps) { e += 1; scale *= 0.5; }
+    uvec3 m = uvec3(floor(c * scale + 0.5));
+    return m.x | m.y << bits | m.z << (2 * bits) | uint(e) << (3 * bits);
+}
+
+// v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
+// bits from 4 to 16.
+uint logarithmBits(float v, int bits) {
+    int steps = (1 << bits) - 2;
+    float place = (log2(clamp(v, 0.0625, 65504.0)) + 4.0) * (float(steps) / 19.9992954);
+    return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
+}
+
+void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    float matc_attribute_wetnessByX = dFdx(matc_attribute_wetness);
+    float matc_attribute_wetnessByY = dFdy(matc_attribute_wetness);
+    // attributes.yaml:3 Expression
+    vec3 diffuse_expression = mix(0.6, 1.0, matc_object) * matc_attribute_color.xyz;
+    // attributes.yaml:7 BumpMap
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
+    // attributes.yaml:6 Expression
+    vec3 emissive_expression = step(0.9, matc_attribute_uv1.x) * vec3(0.02, 0.01, 0.0);
+    uint surface_bits = rootBits(diffuse_expression.x, 8) | rootBits(diffuse_expression.y, 8) << 8 | rootBits(diffuse_expression.z, 8) << 16;
+    uint specular_bits = rootBits(matc_attribute_wetness * 0.2, 8);
+    float shininess = phongExponent(mix(0.3, 0.9, matc_attribute_wetness));
+    // attributes.yaml:7 Expression
+    float expression = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool expression_2 = abs(expression) < 1e-30;
+    float expression_3 = expression_2 ? 1.0 : expression;
+    vec3 bumpMap_3 = (expression_2 ? 0.0 : uvByY.y * matc_attribute_wetnessByX - uvByX.y * matc_attribute_wetnessByY) / expression_3 * 0.04 * worldTangentV;
+    vec3 bumpMap_4 = (expression_2 ? 0.0 : uvByX.x * matc_attribute_wetnessByY - uvByY.x * matc_attribute_wetnessByX) / expression_3 * 0.04 * worldTangentU;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 - bumpMap_4) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(shininess, 10) << 21);
+    fragment0 = surface_bits2;
+}
