@@ -5,6 +5,7 @@
 #include "compiler/ir/key.h"
 #include "compiler/layout/layout.h"
 #include "compiler/layout/layout_read.h"
+#include "compiler/emit/attribute.h"
 #include "compiler/emit/texture.h"
 #include "compiler/emit/stages.h"
 #include "compiler/emit/validate.h"
@@ -225,23 +226,6 @@ static void list_uniforms(MatcProgram *p, const Graph *graph)
     }
 }
 
-/* Those that are live, in the document's order. */
-static void list_attributes(MatcProgram *p, const Graph *graph)
-{
-    bool used[LIMIT_ATTRIBUTES] = {false};
-    for (Ref ref = 1; ref < p->ir->count; ref++)
-        if (ir_is(p->ir, ref, OP_attribute))
-            used[attribute_of(ir_at(p->ir, ref)->payload)] = true;
-    for (int i = 0; i < graph->attribute_count; i++) {
-        const MeshAttribute *own = graph->attributes[i];
-        MatcAttribute attribute = {own->name, emit_attribute_in(&p->arena, own), emit_attribute_out(&p->arena, own),
-                                   type_table[own->type].lanes, emit_attribute_place(i), {0}};
-        memcpy(attribute.initial, own->initial, sizeof attribute.initial);
-        if (used[i])
-            p->attributes[p->attribute_count++] = attribute;
-    }
-}
-
 /* The members of the buffer, with this material's numbers. */
 static void list_constants(MatcProgram *p)
 {
@@ -270,7 +254,7 @@ static bool compile_program(MatcProgram *p)
     if (p->job.pass == PASS_gbuffer || p->job.pass == PASS_plane)
         p->layout = p->job.layout;
     list_uniforms(p, graph);
-    list_attributes(p, graph);
+    p->attribute_count = attribute_list(p->ir, p->attributes);
     list_constants(p);
     p->texture_count = texture_list(&p->session, p->ir, NULL, &p->textures, &p->texture_made_by);
     return true;

@@ -59,10 +59,6 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
 
 /* Names in the shader. */
 const char *emit_texture_name(Session *session, const Ir *ir, int texture);
-/* Of an attribute of the mesh: its names in the vertex program and in the fragment program, and its location. */
-const char *emit_attribute_in(Arena *arena, const MeshAttribute *attribute);
-const char *emit_attribute_out(Arena *arena, const MeshAttribute *attribute);
-int emit_attribute_place(int attribute);
 /* Of a varying's location, the same in both programs. */
 int emit_input_location(Input input);
 /* "version" and, for ES, precisions. */

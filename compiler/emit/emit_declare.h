@@ -24,10 +24,6 @@ int emit_table_binding(const Ir *ir, const Interface *interface, const char *nam
 void emit_describe_vertex(Text *out, const Job *job, const Interface *interface);
 /* An input that is a uniform, of this program. */
 bool emit_is_uniform(const Interface *interface, Input input);
-/* Attributes of the mesh as varyings, on either side; the name of one, or of its change. */
-void emit_attribute_varyings(Text *out, const Ir *ir, const Job *job, const Interface *interface, const char *word);
-void emit_attribute_name(Text *out, const MeshAttribute *attribute, AttributePart part);
-int emit_attribute_location(int attribute);
 /* Of the random number that an instance has. */
 int emit_object_location(void);
 /* A varying, on either side: `word` is "in" or "out". */

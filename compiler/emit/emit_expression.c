@@ -4,7 +4,7 @@
  *     sub(a, sub(b, c))    a - (b - c): the right operand of - has to bind more tightly than -
  *     sub(sub(a, b), c)    a - b - c */
 #include "compiler/emit/emit_scope.h"
-#include "compiler/emit/emit_declare.h"
+#include "compiler/emit/attribute.h"
 #include <string.h>
 
 bool emit_is_leaf(const Ir *ir, Ref ref)
@@ -73,7 +73,7 @@ static void put_attribute(Scope *e, Text *out, Ref ref)
     e->interface->attributes[attribute_of(payload)] = true;
     if (attribute_part(payload) != ATTRIBUTE_value)
         e->interface->attribute_changes[attribute_of(payload)] = true;
-    emit_attribute_name(out, e->ir->graph->attributes[attribute_of(payload)], attribute_part(payload));
+    attribute_put_name(out, e->ir->graph->attributes[attribute_of(payload)], attribute_part(payload));
 }
 
 static void put_uniform(Scope *e, Text *out, Ref ref)

@@ -1,6 +1,7 @@
 /* Programs: functions and main() of a stage, and around them the declarations. */
 #include "compiler/emit/emit_scope.h"
 #include "compiler/emit/emit_declare.h"
+#include "compiler/emit/attribute.h"
 #include <string.h>
 
 /* Which functions a loop sums. */
@@ -136,34 +137,7 @@ static void put_changes(Text *out, const Interface *interface, bool shared)
     }
 }
 
-static void put_attribute_change(Text *out, const MeshAttribute *attribute, AttributePart part)
-{
-    emit_attribute_name(out, attribute, part);
-    text_put(out, part == ATTRIBUTE_by_x ? " = dFdx(" : " = dFdy(");
-    emit_attribute_name(out, attribute, ATTRIBUTE_value);
-    text_put(out, ");\n");
-}
-
-/* Of attributes of the mesh: of `shared` ones the values, else whole declarations; or the declarations alone. */
-typedef enum { CHANGES_shared, CHANGES_whole, CHANGES_declared } ChangesForm;
-static void put_attribute_changes(Text *out, const Ir *ir, const Interface *interface, ChangesForm form)
-{
-    for (int i = 0; i < ir->graph->attribute_count; i++)
-        for (int part = ATTRIBUTE_by_x; interface->attribute_changes[i] && part <= ATTRIBUTE_by_y; part++) {
-            const MeshAttribute *attribute = ir->graph->attributes[i];
-            text_put(out, form == CHANGES_declared ? "" : "    ");
-            if (form != CHANGES_shared)
-                text_format(out, "%s ", type_table[attribute->type].name);
-            if (form != CHANGES_declared) {
-                put_attribute_change(out, attribute, (AttributePart)part);
-                continue;
-            }
-            emit_attribute_name(out, attribute, (AttributePart)part);
-            text_put(out, ";\n");
-        }
-}
-
-static void declare_changes(Text *out, const Ir *ir, const Interface *interface)
+static void declare_changes(Text *out, const Interface *interface)
 {
     size_t before = out->size;
     for (int i = 0; i < change_count; i++) {
@@ -171,7 +145,7 @@ static void declare_changes(Text *out, const Ir *ir, const Interface *interface)
         if (interface->inputs[change_table[i].input])
             text_format(out, "%s %s;\n", type_table[row->type].name, row->glsl);
     }
-    put_attribute_changes(out, ir, interface, CHANGES_declared);
+    attribute_put_changes(out, interface, ATTRIBUTE_CHANGES_declared);
     if (out->size > before)
         text_char(out, '\n');
 }
@@ -187,7 +161,7 @@ static void put_main(Scope *e, Text *out)
             put_output(e, &body, &ir->outputs[i]);
     text_put(out, "void main() {\n");
     put_changes(out, e->interface, ir->function_count > 0);
-    put_attribute_changes(out, ir, e->interface, ir->function_count > 0 ? CHANGES_shared : CHANGES_whole);
+    attribute_put_changes(out, e->interface, ir->function_count > 0 ? ATTRIBUTE_CHANGES_shared : ATTRIBUTE_CHANGES_whole);
     text_add(out, body.at, body.size);
     text_put(out, "}\n");
 }
@@ -301,7 +275,7 @@ const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interf
     interface->declarations = out.size;
     put_chunks(&out, &own.chunks);
     if (functions.size)
-        declare_changes(&out, ir, &own);
+        declare_changes(&out, &own);
     text_add(&out, functions.at, functions.size);
     text_add(&out, body.at, body.size);
     *size = out.size;

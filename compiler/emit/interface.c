@@ -1,6 +1,7 @@
 /* What a program declares, per target: version, inputs, uniforms, textures, outputs. */
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
+#include "compiler/emit/attribute.h"
 #include <string.h>
 
 void emit_version(Text *out, Target target)
@@ -22,9 +23,7 @@ int emit_input_location(Input input)
     return location;
 }
 
-/* Behind all varyings, and what instances have there: their material's number and their own random number. */
-int emit_attribute_location(int attribute) { return emit_object_location() + 1 + attribute; }
-
+/* Behind all varyings, and an instance's material. */
 int emit_object_location(void) { return emit_input_location(INPUT_COUNT) + 1; }
 
 /* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
@@ -62,26 +61,6 @@ void emit_varying(Text *out, Target target, Input input, const char *word)
         text_format(out, "layout(location = %d) ", emit_input_location(input));
     text_format(out, "%s %s %s;\n", target_table[target].in_out ? word : "varying", type_table[row->type].name,
                 row->glsl);
-}
-
-void emit_attribute_varyings(Text *out, const Ir *ir, const Job *job, const Interface *interface, const char *word)
-{
-    for (int i = 0; i < ir->graph->attribute_count; i++) {
-        if (!interface->attributes[i])
-            continue;
-        if (target_table[job->target].locations)
-            text_format(out, "layout(location = %d) ", emit_attribute_location(i));
-        text_format(out, "%s %s ", target_table[job->target].in_out ? word : "varying",
-                    type_table[ir->graph->attributes[i]->type].name);
-        emit_attribute_name(out, ir->graph->attributes[i], ATTRIBUTE_value);
-        text_put(out, ";\n");
-    }
-}
-
-void emit_attribute_name(Text *out, const MeshAttribute *attribute, AttributePart part)
-{
-    static const char *const ends[ATTRIBUTE_PARTS] = {"", "ByX", "ByY"};
-    text_format(out, "matc_attribute_%s%s", attribute->name, ends[part]);
 }
 
 static void put_members(Text *out, const Ir *ir, const char *prefix)
@@ -220,7 +199,7 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
     for (int i = 0; i < INPUT_COUNT; i++)
         if (d.own->inputs[i] && input_table[i].source == SOURCE_varying)
             emit_varying(out, job->target, (Input)i, "in");
-    emit_attribute_varyings(out, ir, job, d.own, "in");
+    attribute_put_varyings(out, job, d.own, "in");
     if (job->instances && d.own->inputs[INPUT_object])
         text_format(out, "layout(location = %d) flat in float %s;\n", emit_object_location(),
                     input_table[INPUT_object].glsl);

@@ -2,6 +2,7 @@
 #include "compiler/ir/constants.h"
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
+#include "compiler/emit/attribute.h"
 #include "compiler/base/json_write.h"
 #include "compiler/emit/texture.h"
 #include "compiler/ir/std140.h"
@@ -77,11 +78,11 @@ static void put_inputs(Text *out, const Ir *ir, const Job *job, const Interface 
         if (!interface->attributes[i])
             continue;
         next(&list);
-        emit_attribute_name(&name, ir->graph->attributes[i], ATTRIBUTE_value);
+        attribute_put_name(&name, ir->graph->attributes[i], ATTRIBUTE_value);
         put_typed(out, name.at, type_table[ir->graph->attributes[i]->type].name);
         json_next(out, "source", "varying");
         if (target_table[job->target].locations)
-            text_format(out, ", \"location\": %d", emit_attribute_location(i));
+            text_format(out, ", \"location\": %d", attribute_location(i));
         text_put(out, "}");
     }
     close_list(&list);

@@ -2,6 +2,7 @@
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
 #include "compiler/emit/vertex.h"
+#include "compiler/emit/attribute.h"
 #include "compiler/base/json_write.h"
 #include "compiler/ir/std140.h"
 #include <string.h>
@@ -29,7 +30,7 @@ enum { FEED_COUNT = sizeof feeds / sizeof *feeds };
 
 /* The same of a mesh that was displaced already: maps go by where a point was. */
 static const char base_attribute[] = "vec3 basePosition";
-enum { BASE_LOCATION = 10 };
+enum { BASE_LOCATION = ATTRIBUTE_FIRST_LOCATION - 1 };
 static const Feed base_feeds[] = {
     {INPUT_P, base_attribute, "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(basePosition, 1.0)).xyz"},
     {INPUT_X, base_attribute, NULL, "basePosition"},
@@ -128,33 +129,6 @@ static void put_move(Text *out, const VertexMove *move)
                   "        + matc_move.z * matc_up / max(length(matc_up), 1e-30);\n");
 }
 
-/* Those of the mesh that a document names: "float attribute_wetness", behind the others. */
-enum { FIRST_NAMED_LOCATION = BASE_LOCATION + 1 };
-
-int emit_attribute_place(int attribute) { return FIRST_NAMED_LOCATION + attribute; }
-
-const char *emit_attribute_in(Arena *arena, const MeshAttribute *attribute)
-{
-    Text text = text_new(arena);
-    text_format(&text, "attribute_%s", attribute->name);
-    return text.at;
-}
-
-const char *emit_attribute_out(Arena *arena, const MeshAttribute *attribute)
-{
-    Text text = text_new(arena);
-    emit_attribute_name(&text, attribute, ATTRIBUTE_value);
-    return text.at;
-}
-
-static VertexAttribute named_attribute(const Interface *interface, int i)
-{
-    const MeshAttribute *attribute = interface->ir->graph->attributes[i];
-    Text text = text_new(interface->ir->arena);
-    text_format(&text, "%s %s", type_table[attribute->type].name, emit_attribute_in(interface->ir->arena, attribute));
-    return (VertexAttribute){text.at, FIRST_NAMED_LOCATION + i};
-}
-
 /* Which attributes and uniforms the varyings in use read; the position is always one. */
 static void mark_used(const Interface *interface, bool *attribute, bool *uniform)
 {
@@ -221,7 +195,7 @@ int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAtt
         list[count++] = (VertexAttribute){base_attribute, BASE_LOCATION};
     for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
         if (interface->attributes[i])
-            list[count++] = named_attribute(interface, i);
+            list[count++] = (VertexAttribute){attribute_declaration(interface->ir, i), ATTRIBUTE_FIRST_LOCATION + i};
     return count;
 }
 
@@ -245,7 +219,7 @@ void emit_vertex_declarations(Text *out, const Job *job, const Interface *interf
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
             emit_varying(out, job->target, feeds[i].input, "out");
-    emit_attribute_varyings(out, interface->ir, job, interface, "out");
+    attribute_put_varyings(out, job, interface, "out");
     if (interface->move)
         text_format(out, "%s\n%s", interface->move->declarations, interface->move->text);
     else
@@ -261,12 +235,7 @@ void emit_vertex_body(Text *out, const Job *job, const Interface *interface)
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
             text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, expression_of(feed_of(job, i), job));
-    for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
-        if (interface->attributes[i]) {
-            text_put(out, "    ");
-            emit_attribute_name(out, interface->ir->graph->attributes[i], ATTRIBUTE_value);
-            text_format(out, " = attribute_%s;\n", interface->ir->graph->attributes[i]->name);
-        }
+    attribute_hand_on(out, interface);
     if (interface->move)
         put_move(out, interface->move);
     text_put(out, interface->move
@@ -360,22 +329,6 @@ static void describe(Text *out, const char *declaration, const char *key, int va
     text_char(out, '}');
 }
 
-/* An attribute that the document names: by that name, and what a mesh without it has. */
-static void describe_named(Text *out, const Interface *interface, int i, bool located)
-{
-    const MeshAttribute *attribute = interface->ir->graph->attributes[i];
-    const VertexAttribute named = named_attribute(interface, i);
-    describe(out, named.declaration, "location", located ? named.location : -1);
-    out->at[--out->size] = 0; /* its bracket */
-    json_next(out, "attribute", attribute->name);
-    text_put(out, ", \"default\": [");
-    for (int lane = 0; lane < type_table[attribute->type].lanes; lane++) {
-        text_put(out, lane ? ", " : "");
-        text_double(out, attribute->initial[lane]);
-    }
-    text_put(out, "]}");
-}
-
 void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
 {
     const TargetRow *target = &target_table[job->target];
@@ -408,7 +361,9 @@ void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
     for (int i = 0; i < LIMIT_ATTRIBUTES && !screen; i++)
         if (interface->attributes[i]) {
             text_put(out, ", ");
-            describe_named(out, interface, i, target->in_out);
+            describe(out, attribute_declaration(interface->ir, i), "location", target->in_out ? ATTRIBUTE_FIRST_LOCATION + i : -1);
+            out->at[--out->size] = 0; /* its bracket */
+            attribute_describe(out, interface->ir->graph->attributes[i]);
         }
     text_put(out, "], \"uniforms\": [");
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)

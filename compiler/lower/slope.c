@@ -254,10 +254,8 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
     return 0;
 }
 
-/* Over a triangle an attribute a is linear, and so are u and v: with its changes to the next pixels and theirs, a_x = a_u u_x + a_v v_x and
- * a_y = a_u u_y + a_v v_y. By Cramer's rule a_u = (a_x v_y - a_y v_x) / d and a_v = (a_y u_x - a_x u_y) / d of d = u_x v_y - u_y v_x; 0 where d is.
- *
- *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u = .3 * .1 / .01 = 3, a_v = 0 */
+/* Linear over a triangle, as u and v are: a_x = a_u u_x + a_v v_x, a_y = a_u u_y + a_v v_y. Cramer: a_u = (a_x v_y - a_y v_x) / d, and so on.
+ *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u = .3 * .1 / .01 = 3 */
 static Ref attribute_slope(Lower *l, Ref ref, Direction direction)
 {
     Ir *ir = l->ir;
@@ -267,14 +265,13 @@ static Ref attribute_slope(Lower *l, Ref ref, Direction direction)
     Ref ax = build_attribute(ir, attribute, ATTRIBUTE_by_x), ay = build_attribute(ir, attribute, ATTRIBUTE_by_y);
     if (direction == DIRECTION_right || direction == DIRECTION_up)
         return direction == DIRECTION_right ? ax : ay;
-    Ref of_x = build_input(ir, INPUT_UX), of_y = build_input(ir, INPUT_UY);
-    Ref ux = build_swizzle(ir, of_x, "x"), vx = build_swizzle(ir, of_x, "y");
-    Ref uy = build_swizzle(ir, of_y, "x"), vy = build_swizzle(ir, of_y, "y");
-    Ref first = build_mul(ir, ux, vy), d = build_sub(ir, first, build_mul(ir, uy, vx));
+    Ref x = build_input(ir, INPUT_UX), ux = build_swizzle(ir, x, "x"), vx = build_swizzle(ir, x, "y");
+    Ref y = build_input(ir, INPUT_UY), uy = build_swizzle(ir, y, "x"), vy = build_swizzle(ir, y, "y");
+    Ref p = build_mul(ir, ux, vy), q = build_mul(ir, uy, vx), d = build_sub(ir, p, q);
     const bool by_v = direction == DIRECTION_v;
-    first = build_mul(ir, by_v ? ay : ax, by_v ? ux : vy);
-    Ref over[] = {build_sub(ir, first, build_mul(ir, by_v ? ax : ay, by_v ? uy : vx)), d, 0, 0, 0};
-    return lower_term(l, TERM_divide, over);
+    p = build_mul(ir, by_v ? ay : ax, by_v ? ux : vy);
+    q = build_mul(ir, by_v ? ax : ay, by_v ? uy : vx);
+    return lower_term(l, TERM_divide, (Ref[TERM_MOST_ARGUMENTS]){build_sub(ir, p, q), d});
 }
 
 /* The operands' derivatives, 0 where there is none, of LANE_OPERANDS at least; whether any changes. */
