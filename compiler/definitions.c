@@ -151,7 +151,9 @@ static void put_use_schema(Text *out, Session *session, const Member *definition
             json_string(&wanted, params->value->members[i].key);
         }
     }
-    text_format(out, "\n          }, \"required\": [\"ref\"%s]\n        }", wanted.size ? wanted.at : "");
+    text_put(out, "\n          }, \"required\": [\"ref\"");
+    text_put(out, wanted.size ? wanted.at : "");
+    text_put(out, "]\n        }");
 }
 
 char *matc_document_schema(MatcDocument *d)
