@@ -66,7 +66,7 @@ static void lean_ground(Scene *scene, double lean, ShapeVertex vertices[4], Scen
     for (int i = 0; i < 4; i++)
         vertices[i] = (ShapeVertex){.position = {i == 1 || i == 2 ? GROUND_EDGE : 0, i > 1 ? GROUND_EDGE : 0},
                                     .normal = {0, (float)sin(lean), (float)cos(lean)}};
-    mesh->shape = (Shape){vertices, indices, 4, 6, NULL};
+    mesh->shape = (Shape){.vertices = vertices, .indices = indices, .vertex_count = 4, .index_count = 6};
     scene->meshes = mesh;
     scene->mesh_count = 1;
     scene->objects[0].kind = SCENE_Mesh;

@@ -345,7 +345,7 @@ static void parts_are_checked(void **state)
                                    {{cases[i].x, 0, 0}, {0}, {cases[i].u, 0}, {0}, {0}},
                                    {{0, 1, 0}, {NAN, 0, 0}, {0, 1}, {0}, {0}}};
         uint32_t indices[4] = {0, 1, cases[i].index, 0};
-        Shape shape = {vertices, indices, 3, cases[i].indices, NULL};
+        Shape shape = {.vertices = vertices, .indices = indices, .vertex_count = 3, .index_count = cases[i].indices};
         const char *why = model_complete(&shape, true, true);
         if (!why != !cases[i].why || (why && !strstr(why, cases[i].why)))
             fail_msg("%zu: %s", i, why ? why : "fine");

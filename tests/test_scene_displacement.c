@@ -23,7 +23,7 @@ static void triangles_are_divided(void **state)
     for (int n = 1; n <= 9; n++) {
         Shape made;
         double area = 0;
-        assert_true(scene_divide(&(Shape){corners, indices, 3, 3, NULL}, n, &made));
+        assert_true(scene_divide(&(Shape){.vertices = corners, .indices = indices, .vertex_count = 3, .index_count = 3}, n, &made));
         assert_int_equal(made.index_count, 3 * n * n);
         assert_int_equal(made.vertex_count, (n + 1) * (n + 2) / 2);
         for (int i = 0; i < made.index_count; i += 3) {
