@@ -4,6 +4,17 @@
 #include "compiler/emit/emit_declare.h"
 #include <string.h>
 
+int emit_input_location(Input input)
+{
+    int location = 0;
+    for (int i = 0; i < (int)input; i++)
+        location += input_table[i].source == SOURCE_varying;
+    return location;
+}
+
+/* Behind all varyings, and an instance's material. */
+int emit_object_location(void) { return emit_input_location(INPUT_COUNT) + 1; }
+
 int attribute_location(int attribute) { return emit_object_location() + 1 + attribute; }
 
 static const char *type_of(const MeshAttribute *attribute) { return type_table[attribute->type].name; }

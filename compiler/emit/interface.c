@@ -15,17 +15,6 @@ void emit_version(Text *out, Target target)
                     row->precision, row->precision);
 }
 
-int emit_input_location(Input input)
-{
-    int location = 0;
-    for (int i = 0; i < (int)input; i++)
-        location += input_table[i].source == SOURCE_varying;
-    return location;
-}
-
-/* Behind all varyings, and an instance's material. */
-int emit_object_location(void) { return emit_input_location(INPUT_COUNT) + 1; }
-
 /* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
 int emit_texture_binding(int index)
 {

@@ -6,7 +6,6 @@
  *     what is made is 3 cos(u), and nothing is left to be folded away */
 #include "compiler/lower/slope.h"
 #include "compiler/lower/address.h"
-#include "compiler/lower/lower_term.h"
 #include "compiler/ir/build_words.h"
 #include <string.h>
 
@@ -252,26 +251,6 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
         if (tangents[i].of == input)
             return build_input(ir, tangents[i].by[by_v]);
     return 0;
-}
-
-/* Linear over a triangle, as u and v are: a_x = a_u u_x + a_v v_x, a_y = a_u u_y + a_v v_y. Cramer: a_u = (a_x v_y - a_y v_x) / d, and so on.
- *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u = .3 * .1 / .01 = 3 */
-static Ref attribute_slope(Lower *l, Ref ref, Direction direction)
-{
-    Ir *ir = l->ir;
-    const int attribute = (int)attribute_of(ir_at(ir, ref)->payload);
-    if (attribute_part(ir_at(ir, ref)->payload) != ATTRIBUTE_value)
-        return 0;
-    Ref ax = build_attribute(ir, attribute, ATTRIBUTE_by_x), ay = build_attribute(ir, attribute, ATTRIBUTE_by_y);
-    if (direction == DIRECTION_right || direction == DIRECTION_up)
-        return direction == DIRECTION_right ? ax : ay;
-    Ref x = build_input(ir, INPUT_UX), ux = build_swizzle(ir, x, "x"), vx = build_swizzle(ir, x, "y");
-    Ref y = build_input(ir, INPUT_UY), uy = build_swizzle(ir, y, "x"), vy = build_swizzle(ir, y, "y");
-    Ref p = build_mul(ir, ux, vy), q = build_mul(ir, uy, vx), d = build_sub(ir, p, q);
-    const bool by_v = direction == DIRECTION_v;
-    p = build_mul(ir, by_v ? ay : ax, by_v ? ux : vy);
-    q = build_mul(ir, by_v ? ax : ay, by_v ? uy : vx);
-    return lower_term(l, TERM_divide, (Ref[TERM_MOST_ARGUMENTS]){build_sub(ir, p, q), d});
 }
 
 /* The operands' derivatives, 0 where there is none, of LANE_OPERANDS at least; whether any changes. */

@@ -12,6 +12,9 @@ void slope_done(Lower *l);
 /* Says what the derivative of a value is, 0 for none, before anything asks: of a surface point, of a function's argument. */
 void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
 
+/* Of an attribute of the mesh. slope_attribute.c */
+Ref slope_attribute(Lower *l, Ref ref, Direction direction);
+
 /* Values whose derivative is a sum of others', each by a factor. slope_sum.c */
 typedef struct {
     Ref of, factor;

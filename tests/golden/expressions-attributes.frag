@@ -114,8 +114,8 @@ void main() {
     float expression = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
     bool expression_2 = abs(expression) < 1e-30;
     float expression_3 = expression_2 ? 1.0 : expression;
-    vec3 bumpMap_3 = (expression_2 ? 0.0 : uvByY.y * matc_attribute_wetnessByX - uvByX.y * matc_attribute_wetnessByY) / expression_3 * 0.04 * worldTangentV;
-    vec3 bumpMap_4 = (expression_2 ? 0.0 : uvByX.x * matc_attribute_wetnessByY - uvByY.x * matc_attribute_wetnessByX) / expression_3 * 0.04 * worldTangentU;
+    vec3 bumpMap_3 = (expression_2 ? 0.0 : (uvByY.y * matc_attribute_wetnessByX - uvByX.y * matc_attribute_wetnessByY) / expression_3) * 0.04 * worldTangentV;
+    vec3 bumpMap_4 = (expression_2 ? 0.0 : (uvByX.x * matc_attribute_wetnessByY - uvByY.x * matc_attribute_wetnessByX) / expression_3) * 0.04 * worldTangentU;
     vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 - bumpMap_4) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
