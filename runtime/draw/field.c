@@ -1,6 +1,7 @@
 /* Uploads vertices, and writes the vertex program that passes them through. */
 #include "runtime/draw/field.h"
 #include "runtime/gl/mesh.h"
+#include "compiler/base/text.h"
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
@@ -88,10 +89,14 @@ static void write_vertex(Target target, const MatcProgram *program, const char *
     PUT("void main() {\n");
     for (int i = 0; i < named; i++) {
         const MatcAttribute *attribute = matc_attribute(program, i);
-        PUT("    %s = %s(", attribute->varying, types[attribute->lanes]);
-        for (int lane = 0; lane < attribute->lanes; lane++)
-            PUT("%s%.9g", lane ? ", " : "", attribute->initial[lane]);
-        PUT(");\n");
+        Arena scratch = {0};
+        Text lanes = text_new(&scratch);
+        for (int lane = 0; lane < attribute->lanes; lane++) {
+            text_put(&lanes, lane ? ", " : "");
+            text_double(&lanes, attribute->initial[lane]);
+        }
+        PUT("    %s = %s(%s);\n", attribute->varying, types[attribute->lanes], lanes.at);
+        arena_free(&scratch);
     }
     for (int i = 0; i < FIELD_VARYINGS; i++)
         if (declares(fragment, &input_table[i]))
