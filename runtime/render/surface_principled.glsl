@@ -125,14 +125,13 @@ vec2 strayed(Lit m, float stray, vec2 own)
 // Means over all directions by Gauss' rule in the root of the cosine: of 1, and of albedo(); left, of the same times what layers let through.
 void litMeans(inout Lit m, out vec3 mean, out vec3 left)
 {
-    const vec4 PLACE = vec4(0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558);
-    const vec4 WEIGHT = vec4(0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226);
+    const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);
     mean = left = vec3(0.0);
 #ifdef LIT_LAYERS
     m.meanStray = vec2(0.0);
 #endif
-    for (int i = 0; i < 8; i++) {
-        float t = 0.5 * PLACE[i & 3] + (i < 4 ? 0.0 : 0.5), share = 2.0 * WEIGHT[i & 3] * t * t * t;
+    for (int i = 0; i < 6; i++) {
+        float t = i < 3 ? PLACE[i] : 1.0 - PLACE[5 - i], share = 4.0 * WEIGHT[i < 3 ? i : 5 - i] * t * t * t;
         vec3 own = share * vec3(1.0, albedo(t * t, m.facets));
         mean += own;
 #ifdef LIT_LAYERS
