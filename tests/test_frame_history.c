@@ -255,6 +255,53 @@ static void what_moves_is_followed(void **state)
         frame_running_close(&rigs[i]);
 }
 
+/* A plate slides over a wall, so close before it that what was kept of the plate's front counts for the wall, too: within a pixel, and turned alike. What it bares is no farther off than a frame alone: what arrives
+ * at two places within a pixel of each other is alike, whatever stood there. */
+static void what_slides_over_a_wall_lends_what_is_alike(void **state)
+{
+    (void)state;
+    static const char slide[] =
+        "voxels: { size: 64 }\nimage: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [0, -4, .5], "
+        "target: [0, 0, .5], "
+        "angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .6, specular: 0 } }\nobjects:\n"
+        "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, -.9, -.1] } }\n"
+        "- { object: Box, material: m, size: [3, .4, 2], transform: { translation: [0, .8, 1] } }\n"
+        "- { object: Box, material: m, size: [.5, .3, .9], transform: { translation: [-.7, .7, .47] } }\n";
+    static const char *const keys[] = {"samples: 48", "samples: 1", "history: 16"};
+    static const double step_way = .12;
+    static FrameRunning rigs[3], depth;
+    static float before[PIXELS];
+    double sums[3] = {0};
+    char text[TEXT];
+    int count = 0;
+    enum { STEPS = 10, SKIPPED = 2 };
+    for (int i = 0; i < 4; i++) {
+        snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys[i % 3], slide);
+        frame_running_open(gl, text, &(RenderOptions){.view = i < 3 ? "open" : "depth", .deep = true},
+                           i < 3 ? &rigs[i] : &depth);
+    }
+    for (int step = 0; step < STEPS; step++) {
+        for (int i = 0; i < 4; i++) {
+            FrameRunning *rig = i < 3 ? &rigs[i] : &depth;
+            rig->scene->objects[2].world_from_local.m[12] += step_way;
+            assert_true(render_changed_objects(rig->render, 2, 1));
+            frame_running_draw(rig);
+        }
+        for (int p = 0; p < PIXELS; p++) {
+            const bool bared = step >= SKIPPED && depth.rgba[4 * p] < before[p] * .995f && depth.rgba[4 * p] > 0;
+            for (int i = 1; bared && i < 3; i++)
+                sums[i] += pow((double)rigs[i].rgba[4 * p] - (double)rigs[0].rgba[4 * p], 2);
+            count += bared;
+            before[p] = depth.rgba[4 * p];
+        }
+    }
+    print_message("a plate over a wall: %d pixels bared, %.4f off, %.4f by frames alone\n", count,
+                  sqrt(sums[2] / count), sqrt(sums[1] / count));
+    assert_true(count > 100 && sums[2] < 1.21 * sums[1]);
+    for (int i = 0; i < 4; i++)
+        frame_running_close(i < 3 ? &rigs[i] : &depth);
+}
+
 /* A lamp that is half as bright from one frame to the next: so is the light that comes by other surfaces, at once, but for noise. */
 static void lamps_that_change_are_followed(void **state)
 {
@@ -303,10 +350,14 @@ static void ways_and_wants(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sets_are_averaged), cmocka_unit_test(errors_are_as_stated), cmocka_unit_test(paths_are_calmer),
-        cmocka_unit_test(nothing_is_left_behind_what_moves), cmocka_unit_test(what_moves_is_followed),
-        cmocka_unit_test(lamps_that_change_are_followed), cmocka_unit_test(ways_and_wants)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sets_are_averaged),
+                                       cmocka_unit_test(errors_are_as_stated),
+                                       cmocka_unit_test(paths_are_calmer),
+                                       cmocka_unit_test(nothing_is_left_behind_what_moves),
+                                       cmocka_unit_test(what_moves_is_followed),
+                                       cmocka_unit_test(what_slides_over_a_wall_lends_what_is_alike),
+                                       cmocka_unit_test(lamps_that_change_are_followed),
+                                       cmocka_unit_test(ways_and_wants)};
     gl = frame_context();
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     gl_close(gl);
