@@ -36,17 +36,6 @@ static double square_length(const ScenePatches *patches, const uint32_t ends[2])
     return sum;
 }
 
-/* Edge k of a patch leads from corner k + 1 to k + 2. Whether that is from the later place to the earlier one. */
-static bool ends_of(const Maker *m, int patch, int k, uint32_t ends[2])
-{
-    const uint32_t *own = m->patches->at[patch].own;
-    const uint32_t a = own[(k + 1) % 3], b = own[(k + 2) % 3];
-    const bool turned = m->first[b] < m->first[a];
-    ends[0] = turned ? b : a;
-    ends[1] = turned ? a : b;
-    return turned;
-}
-
 static bool is_longer(const Maker *m, const uint32_t x[2], const uint32_t y[2])
 {
     const double by_x = square_length(m->patches, x), by_y = square_length(m->patches, y);
@@ -58,11 +47,12 @@ static bool is_longer(const Maker *m, const uint32_t x[2], const uint32_t y[2])
 /* The corner at which its longest edge begins. */
 static uint32_t first_corner(const Maker *m, int patch)
 {
+    const ScenePatch *at = &m->patches->at[patch];
     int first = 0;
     uint32_t best[2], next[2];
-    ends_of(m, patch, 2, best); /* from corner 0 to 1 */
+    scene_patch_ends(at, m->first, 2, best); /* from corner 0 to 1 */
     for (int corner = 1; corner < 3; corner++) {
-        ends_of(m, patch, (corner + 2) % 3, next);
+        scene_patch_ends(at, m->first, (corner + 2) % 3, next);
         if (is_longer(m, next, best)) {
             first = corner;
             memcpy(best, next, sizeof best);
@@ -96,7 +86,7 @@ static void put_base(Maker *m, int patch, uint32_t *words)
     words[0] = first_corner(m, patch);
     for (int k = 0; k < 3; k++) {
         uint32_t ends[2];
-        words[0] |= (uint32_t)ends_of(m, patch, k, ends) << (2 + k);
+        words[0] |= (uint32_t)scene_patch_ends(&m->patches->at[patch], m->first, k, ends) << (2 + k);
         words[1 + k] = edge_of(m, ends);
         m->edges[words[1 + k]].count++;
         const ShapeVertex *row = &m->patches->rows[m->patches->at[patch].own[k]];

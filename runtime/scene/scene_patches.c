@@ -58,12 +58,10 @@ static Edge *edge_of(Maker *m, const uint32_t ends[2])
     return edge;
 }
 
-/* The ends of edge k of a patch, the lesser place first; whether that turns them round. */
-static bool ends_of(const Maker *m, int patch, int k, uint32_t ends[2])
+bool scene_patch_ends(const ScenePatch *patch, const int *first, int k, uint32_t ends[2])
 {
-    const uint32_t *own = m->made->at[patch].own;
-    const uint32_t a = own[(k + 1) % 3], b = own[(k + 2) % 3];
-    const bool turned = m->first[b] < m->first[a];
+    const uint32_t a = patch->own[(k + 1) % 3], b = patch->own[(k + 2) % 3];
+    const bool turned = first[b] < first[a];
     ends[0] = turned ? b : a;
     ends[1] = turned ? a : b;
     return turned;
@@ -99,13 +97,13 @@ static void find_edges(Maker *m)
     for (int t = 0; t < m->made->count; t++)
         for (int k = 0; k < 3; k++) {
             uint32_t ends[2];
-            ends_of(m, t, k, ends);
+            scene_patch_ends(&m->made->at[t], m->first, k, ends);
             join(m, edge_of(m, ends), ends);
         }
     for (int t = 0; t < m->made->count; t++)
         for (int k = 0; k < 3; k++) {
             uint32_t ends[2];
-            const bool turned = ends_of(m, t, k, ends);
+            const bool turned = scene_patch_ends(&m->made->at[t], m->first, k, ends);
             const Edge *edge = edge_of(m, ends);
             for (int i = 0; i < 2; i++)
                 m->made->at[t].edge[k][i] = edge->row[turned ? 1 - i : i];
