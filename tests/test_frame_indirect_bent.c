@@ -219,10 +219,41 @@ static void light_of_half_a_sky_comes_by_direction(void **state)
     gl_close(gl);
 }
 
+/* A hemisphere that is the same from everywhere at first is then as one that was another from the start, and back. */
+static void hemispheres_change(void **state)
+{
+    static const char *const lights[2] = {"lights: [{ light: Hemisphere, ground: [1, 1, 1] }]\n",
+                                          "lights: [{ light: Hemisphere, ground: [0, 0, 0] }]\n"};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    Render *render = opened(gl, &options, "light");
+    float *wanted[2];
+    SceneCamera camera;
+    char text[TEXT];
+    MatcDocument *document;
+    for (int i = 0; i < 2; i++)
+        wanted[i] = drawn_by(gl, render, (const char *[2]){"method: voxels", lights[i]}, *state, &camera);
+    snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, method: voxels }\n%s%s", radius, lights[0], body);
+    Scene *scene = frame_scene(text, &options, &document);
+    free(frame_floats_by(gl, render, scene));
+    for (int i = 1; i >= 0; i--) {
+        float rgba[4 * EDGE * EDGE];
+        for (int k = 0; k < 3; k++)
+            scene->lights[0].ground[k] = i ? 0 : scene->lights[0].light[k];
+        assert_true(render_changed(render, RENDER_LIGHTS) && render_frame(render) && render_read(render, rgba));
+        assert_memory_equal(rgba, wanted[i], sizeof rgba);
+        free(wanted[i]);
+    }
+    render_close(render);
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
 int main(void)
 {
     static Truth truth; /* found once */
     const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(bent_normals_are_those_of_rays, &truth),
-                                       cmocka_unit_test_prestate(light_of_half_a_sky_comes_by_direction, &truth)};
+                                       cmocka_unit_test_prestate(light_of_half_a_sky_comes_by_direction, &truth),
+                                       cmocka_unit_test_prestate(hemispheres_change, &truth)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

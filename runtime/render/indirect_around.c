@@ -1,17 +1,16 @@
 /* Light from all around along single rays. The GLSL is indirect_around.glsl. */
 #include "runtime/render/frame.h"
 #include <math.h>
-#include <string.h>
 
 extern const char render_text_light_sky[], render_text_light_hemisphere[], render_text_indirect_around[];
 
 #define PI 3.14159265358979323846
 
-static bool hemispheres_differ(const Render *render)
+/* Whose colors may be others from frame to frame. */
+static bool has_hemispheres(const Render *render)
 {
     float numbers[VIEW_SPACE_HEMISPHERE][4];
-    return view_space_hemisphere(&render->space, render->scene, numbers) &&
-           memcmp(numbers[1], numbers[2], sizeof numbers[1]) != 0;
+    return view_space_hemisphere(&render->space, render->scene, numbers);
 }
 
 static bool sky_differs(const Render *render) { return light_sky_shines(render->scene) && render->sky.uneven; }
@@ -23,14 +22,14 @@ bool indirect_is_directional(const Render *render)
     const char *view = render->options.view;
     return indirect_is(render) && in->directional && in->gain > 0 && indirect_method(render) != WORD_Indirect_points &&
            !indirect_is_repeated(render) && !(view && indirect_view_lanes(view)) &&
-           (hemispheres_differ(render) || sky_differs(render));
+           (has_hemispheres(render) || sky_differs(render));
 }
 
 void indirect_around_texts(const Render *render, const char *texts[INDIRECT_AROUND_TEXTS])
 {
     const bool is = indirect_is_directional(render);
     texts[0] = is && sky_differs(render) ? render_text_light_sky : "";
-    texts[1] = is && hemispheres_differ(render) ? render_text_light_hemisphere : "";
+    texts[1] = is && has_hemispheres(render) ? render_text_light_hemisphere : "";
     texts[2] = is ? render_text_indirect_around : "";
 }
 
