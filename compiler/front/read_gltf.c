@@ -124,7 +124,7 @@ static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
 }
 
 /* KHR_texture_transform: (u, v) times `scale` plus `offset`, with v downwards; ours goes up: v' = 1 - (sy (1 - v) + oy). */
-static void put_transform(Gltf *g, Keys *made, const Tree *info)
+static void put_transform(Gltf *g, Keys *made, const Tree *info, Tree *coordinates)
 {
     const Tree *transform = value_of(value_of(info, "extensions"), "KHR_texture_transform");
     const Tree *lists[2] = {value_of(transform, "offset"), value_of(transform, "scale")};
@@ -137,25 +137,42 @@ static void put_transform(Gltf *g, Keys *made, const Tree *info)
     if (rotation && tree_number(rotation, &turn) && turn != 0)
         diag_add(g->session, rotation->span, DIAG_gltf_unread, "a picture that is turned");
     const bool moved = to[0][0] != 0 || to[0][1] != 0 || to[1][0] != 1 || to[1][1] != 1;
-    if (!moved || to[1][0] == 0 || to[1][1] == 0)
+    if (!moved || to[1][0] == 0 || to[1][1] == 0) {
+        if (coordinates)
+            put(g, made, "input", coordinates);
         return;
+    }
     const Span span = transform->span;
     put(g, &map, "map", word(g, "UVTransform", span));
     put(g, &map, "scaleU", number(g, to[1][0], span));
     put(g, &map, "scaleV", number(g, to[1][1], span));
     put(g, &map, "offsetU", number(g, -to[0][0] / to[1][0], span));
     put(g, &map, "offsetV", number(g, -(1 - to[1][1] - to[0][1]) / to[1][1], span));
+    if (coordinates)
+        put(g, &map, "input", coordinates);
     put(g, made, "input", object(g, &map, span));
 }
 
-/* { index, texCoord } as a map; NULL: it cannot be had, which is said. */
-static Tree *picture(Gltf *g, const Tree *info, bool srgb)
+/* The second set of texture coordinates is an attribute of the mesh; NULL: the first. Tangents are those of the first. */
+static Tree *coordinates_of(Gltf *g, const Tree *info, bool normals)
 {
-    const Tree *index = value_of(info, "index"), *coordinates = value_of(info, "texCoord");
+    const Tree *set = value_of(info, "texCoord");
+    const int number = set ? whole_of(set, -1) : 0;
+    if (number == 1 && !normals)
+        return word(g, "= attribute(\"uv1\", vec2)", set->span);
+    if (number)
+        diag_add(g->session, set->span, DIAG_gltf_unread,
+                 number == 1 ? "a second set of texture coordinates, of normals," : "a third set of texture coordinates");
+    return NULL;
+}
+
+/* { index, texCoord } as a map; NULL: it cannot be had, which is said. */
+static Tree *picture(Gltf *g, const Tree *info, bool srgb, bool normals)
+{
+    const Tree *index = value_of(info, "index");
+    Tree *coordinates = coordinates_of(g, info, normals);
     const Tree *texture = index ? item_of(g, "textures", index) : NULL, *source = value_of(texture, "source");
     const Tree *image = source ? item_of(g, "images", source) : NULL, *uri = value_of(image, "uri");
-    if (coordinates && whole_of(coordinates, 1))
-        diag_add(g->session, coordinates->span, DIAG_gltf_unread, "a second set of texture coordinates");
     if (!uri || uri->kind != TREE_scalar || !strncmp(uri->text, "data:", 5)) {
         if (image || !index || (texture && !source))
             diag_add(g->session, (image ? image : info)->span, DIAG_gltf_unread,
@@ -167,7 +184,7 @@ static Tree *picture(Gltf *g, const Tree *info, bool srgb)
     put(g, &made, "image", word(g, decoded(g, uri->text), uri->span));
     put(g, &made, "colorspace", word(g, srgb ? "srgb" : "linear", info->span));
     put_sampler(g, &made, texture);
-    put_transform(g, &made, info);
+    put_transform(g, &made, info, coordinates);
     return object(g, &made, info->span);
 }
 
@@ -194,7 +211,7 @@ static void put_picture(Gltf *g, Keys *made, const Member *member, int param)
     } factors[] = {{"normalTexture", "scale", "normalScale"},
                    {"clearcoatNormalTexture", "scale", "clearcoatNormalScale"},
                    {"occlusionTexture", "strength", "occlusionStrength"}};
-    Tree *map = picture(g, member->value, param_is_colored(param));
+    Tree *map = picture(g, member->value, param_is_colored(param), strstr(member->key, "ormalTexture") != NULL);
     if (map)
         put(g, made, param_table[param].name, map);
     for (int i = 0; i < 3; i++) {
@@ -243,7 +260,43 @@ static const char *name_for(Gltf *g, const Tree *given, uint32_t number)
     return text.at;
 }
 
-static Tree *material_of(Gltf *g, const Tree *from, Span span)
+/* A primitive of the material, -1 for those without one, has vertex colours. */
+static bool is_colored(const Gltf *g, int material)
+{
+    const Tree *meshes = value_of(g->root, "meshes");
+    for (uint32_t m = 0; meshes && meshes->kind == TREE_list && m < meshes->count; m++) {
+        const Tree *parts = value_of(meshes->items[m], "primitives");
+        for (uint32_t i = 0; parts && parts->kind == TREE_list && i < parts->count; i++)
+            if (whole_of(value_of(parts->items[i], "material"), -1) == material &&
+                value_of(value_of(parts->items[i], "attributes"), "COLOR_0"))
+                return true;
+    }
+    return false;
+}
+
+/* Vertex colours multiply the base colour, and its alpha. */
+static void put_vertex_color(Gltf *g, Keys *made, Span span)
+{
+    Tree *color = word(g, "= vertexColor", span);
+    for (size_t i = 0; i < made->count; i++)
+        if (!strcmp(made->members[i].key, "baseColorTexture")) {
+            const Tree *picture = made->members[i].value;
+            Keys map = {0}, with = {0}, alpha = {0};
+            for (uint32_t k = 0; k < picture->count; k++)
+                put(g, &alpha, picture->members[k].key, picture->members[k].value);
+            put(g, &alpha, "channel", word(g, "a", span));
+            put(g, &with, "texture", made->members[i].value);
+            put(g, &with, "alpha", object(g, &alpha, picture->span));
+            put(g, &map, "map", word(g, "Expression", span));
+            put(g, &map, "is", word(g, "[texture * vertexColor.rgb, alpha * vertexColor.a]", span));
+            put(g, &map, "with", object(g, &with, span));
+            made->members[i].value = object(g, &map, span);
+            return;
+        }
+    put(g, made, "baseColorTexture", color);
+}
+
+static Tree *material_of(Gltf *g, const Tree *from, int number, Span span)
 {
     Keys made = {0};
     const Tree *extensions = value_of(from, "extensions");
@@ -255,6 +308,8 @@ static Tree *material_of(Gltf *g, const Tree *from, Span span)
             put_members(g, &made, extensions->members[i].value, false);
         else
             diag_add(g->session, extensions->members[i].span, DIAG_gltf_unread, extensions->members[i].key);
+    if (is_colored(g, number))
+        put_vertex_color(g, &made, span);
     return object(g, &made, span);
 }
 
@@ -280,11 +335,11 @@ Tree *read_gltf(TreeBuilder *b)
     const Tree *list = value_of(root, "materials");
     for (uint32_t i = 0; list && list->kind == TREE_list && i < list->count; i++) {
         const char *name = name_for(&g, value_of(list->items[i], "name"), i);
-        put(&g, &materials, name, material_of(&g, list->items[i], list->items[i]->span));
+        put(&g, &materials, name, material_of(&g, list->items[i], (int)i, list->items[i]->span));
     }
     const Span span = {root->span.start, root->span.start + 1, root->span.file};
     if (has_bare_primitive(&g))
-        put(&g, &materials, name_for(&g, word(&g, "default", span), 0), material_of(&g, NULL, span));
+        put(&g, &materials, name_for(&g, word(&g, "default", span), 0), material_of(&g, NULL, -1, span));
     put(&g, &document, "materials", object(&g, &materials, list ? list->span : span));
     return object(&g, &document, root->span);
 }

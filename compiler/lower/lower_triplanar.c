@@ -1,10 +1,13 @@
 /* Triplanar: its maps see the surface three times, with two of the position's lanes for u and v.
  *
- *     p = (.2, .3, .7), n = (0, .6, .8), sharpness 2: x is asked at u = .3, v = .7 and weighs 0, y at (.2, .7) and weighs .36, z at (.2, .3), .64 */
+ *     p = (.2, .3, .7), n = (.1, .6, .79), sharpness 2: shares .01, .36 and .63; x has less than 1/64, and counts nothing; y is asked at
+ *     u = .2, v = .7 and weighs (.36 - 1/64) / (.99 - 2/64) = .36, z at (.2, .3), .64 */
 #include "compiler/lower/answer.h"
+#include "compiler/lower/blend.h"
 #include "compiler/lower/slope.h"
 
 enum { AXES = 3 };
+static const double TRIPLANAR_LEAST_SHARE = 1 / 64.; /* semantics.md 2.5 */
 
 static const int maps_of[AXES] = {P_Triplanar_x, P_Triplanar_y, P_Triplanar_z};
 
@@ -42,7 +45,7 @@ static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
     return made;
 }
 
-/* |n|^k of the unit normal, by axis. It counts as constant where the map is differentiated. */
+/* |n|^k of the unit normal, by axis, as a share of all three; what of it is above TRIPLANAR_LEAST_SHARE counts. It is taken as constant where the map is differentiated. */
 static Ref weights_of(Lower *l, Ref p, Ref sharpness)
 {
     Ir *ir = l->ir;
@@ -52,8 +55,10 @@ static Ref weights_of(Lower *l, Ref p, Ref sharpness)
     Ref normal = build_call(ir, FN_safeNormalize, build_cross(ir, by_u, by_v));
     Ref base = build_max(ir, build_abs(ir, normal), build_all(ir, TYPE_vec3, least));
     Ref weight = build_pow(ir, base, build_splat(ir, sharpness, TYPE_vec3));
-    Ref sum = build_dot(ir, weight, build_all(ir, TYPE_vec3, 1));
-    return build_div(ir, weight, sum);
+    const Ref ones = build_all(ir, TYPE_vec3, 1), sum = build_dot(ir, weight, ones);
+    Ref share = build_sub(ir, build_div(ir, weight, sum), build_all(ir, TYPE_vec3, TRIPLANAR_LEAST_SHARE));
+    share = build_max(ir, share, build_all(ir, TYPE_vec3, 0));
+    return build_div(ir, share, build_dot(ir, share, ones));
 }
 
 Answer lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
@@ -68,12 +73,16 @@ Answer lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
     Type type = TYPE_float;
     for (int i = 0; i < AXES; i++) {
         const Env there = projected_env(l, env, p, i);
-        side[i] = lower_answer(l, projected_map(node, i), GROUP_R, &there);
+        side[i] = lower_arm(l, projected_map(node, i), GROUP_R, &there);
         type = i ? answer_common_type(type, ir_type(ir, side[i].value)) : ir_type(ir, side[i].value);
     }
     for (int i = 0; i < AXES; i++) {
         const Ref share = build_swizzle(ir, weight, lane[i]);
-        const Answer part = answer_scaled(l, answer_widened(l, side[i], type), share);
+        Answer own = answer_widened(l, side[i], type);
+        const bool shared = side[i].value == side[(i + 1) % AXES].value || side[i].value == side[(i + 2) % AXES].value;
+        if (l->cheap && !shared && blend_is_costly(ir, own.value) && !ir_is(ir, share, OP_const))
+            own.value = blend_guarded(l, build_lt(ir, build_float(ir, 0), share), own.value);
+        const Answer part = answer_scaled(l, own, share);
         sum = i ? answer_sum(l, sum, part) : part;
     }
     return answer_as_group(l, answer_of(sum.value), group);

@@ -58,8 +58,13 @@ static void weights_at(Environment *environment, const Node *node, double weight
         weight[i] = pow(fmax(fabs(normal[i]), 1e-37), oracle_number(node, P_Triplanar_sharpness));
         sum += weight[i];
     }
+    double above = 0;
+    for (int i = 0; i < AXES; i++) {
+        weight[i] = fmax(weight[i] / sum - 1 / 64., 0);
+        above += weight[i];
+    }
     for (int i = 0; i < AXES; i++)
-        weight[i] /= sum;
+        weight[i] /= above;
 }
 
 /* All lanes of the colour seen along an axis. */

@@ -14,7 +14,7 @@ enum { MET_UNIT = MATERIAL_TEXTURES - 1 };
 static bool make_program(Store *store, const CacheSource *source, const SetProgram *program, Material *made)
 {
     GlContext *gl = store_context(store);
-    char *text = trace_text(set_vertex(source->set, program), set_fragment(source->set, program));
+    char *text = trace_text(program->program, set_vertex(source->set, program), set_fragment(source->set, program));
     if (!text)
         return gl_fail(gl, "out of memory");
     const ProgramText of = {.vertex = {"#version 450 core\n", render_text_trace_vertex}, .fragment = {text}};

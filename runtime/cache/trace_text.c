@@ -1,5 +1,6 @@
 /* Line by line: declarations of what goes from stage to stage become those of variables. */
 #include "runtime/cache/trace_text.h"
+#include "compiler/base/text.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -125,7 +126,24 @@ static void put_attributes(FILE *to)
         fprintf(to, "%s trace_%s;\n", strcmp(attributes[i], "texcoord") ? "vec3" : "vec2", attributes[i]);
 }
 
-static void put_vertex(Writer *w, const char *vertex, const char *fragment)
+/* What documents name of a mesh: rays know nothing of it, and it has its default. */
+static void put_defaults(FILE *to, const MatcProgram *program)
+{
+    static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
+    for (int i = 0; i < matc_attribute_count(program); i++) {
+        const MatcAttribute *attribute = matc_attribute(program, i);
+        Arena scratch = {0};
+        Text lanes = text_new(&scratch);
+        for (int lane = 0; lane < attribute->lanes; lane++) {
+            text_put(&lanes, lane ? ", " : "");
+            text_double(&lanes, attribute->initial[lane]);
+        }
+        fprintf(to, "    %s = %s(%s);\n", attribute->attribute, types[attribute->lanes], lanes.at);
+        arena_free(&scratch);
+    }
+}
+
+static void put_vertex(Writer *w, const MatcProgram *program, const char *vertex, const char *fragment)
 {
     for (int i = 0; i < ATTRIBUTES; i++)
         fprintf(w->to, "#define %s matc_%s\n", attributes[i], attributes[i]);
@@ -134,12 +152,13 @@ static void put_vertex(Writer *w, const char *vertex, const char *fragment)
     for (int i = 0; i < ATTRIBUTES; i++)
         if (strstr(vertex, attributes[i]))
             fprintf(w->to, "    matc_%s = trace_%s;\n", attributes[i], attributes[i]);
+    put_defaults(w->to, program);
     fputs("    traceVertexMain();\n}\n", w->to);
     for (int i = 0; i < ATTRIBUTES; i++)
         fprintf(w->to, "#undef %s\n", attributes[i]);
 }
 
-char *trace_text(const char *vertex, const char *fragment)
+char *trace_text(const MatcProgram *program, const char *vertex, const char *fragment)
 {
     char *text = NULL;
     size_t size = 0;
@@ -148,7 +167,7 @@ char *trace_text(const char *vertex, const char *fragment)
         return NULL;
     fputs("#version 450 core\nvec4 trace_clip;\nbool trace_front;\n", w.to);
     put_attributes(w.to);
-    put_vertex(&w, vertex, fragment);
+    put_vertex(&w, program, vertex, fragment);
     put_program(&w, fragment, fragment);
     put_functions(&w);
     fprintf(w.to, "%s%s%s", w.varying_count ? "#define TRACE_CHANGES\n" : "", render_text_trace_patch,

@@ -8,7 +8,8 @@
  * becomes one text with variables `vec2 trace_texcoord, uv, traceX_uv;`, functions traceVertexMain() and traceSurfaceMain(), and the main() of trace_resolve.glsl. */
 #ifndef MATC_CACHE_TRACE_TEXT_H
 #define MATC_CACHE_TRACE_TEXT_H
+#include "compiler/matc.h"
 
 /* Of two texts as matc writes them, with instances. From malloc; NULL: memory ran out. */
-char *trace_text(const char *vertex, const char *fragment);
+char *trace_text(const MatcProgram *program, const char *vertex, const char *fragment);
 #endif

@@ -261,10 +261,11 @@ void main() {
     float diffuseTransparency_checker = (0.5 <= diffuseTransparency_checker_1.x) != (0.5 <= diffuseTransparency_checker_1.y) ? 1.0 : 0.2;
     // choices.yaml:10 Triplanar
     vec3 diffuseTransparency_triplanar_1 = pow(max(abs(safeNormalize(cross(localTangentU, localTangentV))), vec3(1e-37)), vec3(4.0));
-    vec3 diffuseTransparency_triplanar_2 = diffuseTransparency_triplanar_1 / dot(diffuseTransparency_triplanar_1, vec3(1.0));
+    vec3 diffuseTransparency_triplanar_2 = max(diffuseTransparency_triplanar_1 / dot(diffuseTransparency_triplanar_1, vec3(1.0)) - vec3(0.015625), vec3(0.0));
+    vec3 diffuseTransparency_triplanar_3 = diffuseTransparency_triplanar_2 / dot(diffuseTransparency_triplanar_2, vec3(1.0));
     // choices.yaml:10 Leopard
     float diffuseTransparency_leopard = leopard(localPosition * 2.0);
-    float diffuseTransparency_triplanar = diffuseTransparency_triplanar_2.z * diffuseTransparency_leopard + (diffuseTransparency_triplanar_2.y * diffuseTransparency_leopard + diffuseTransparency_triplanar_2.x * diffuseTransparency_leopard);
+    float diffuseTransparency_triplanar = diffuseTransparency_triplanar_3.z * diffuseTransparency_leopard + (diffuseTransparency_triplanar_3.y * diffuseTransparency_leopard + diffuseTransparency_triplanar_3.x * diffuseTransparency_leopard);
     // choices.yaml:10 Ramp
     float diffuseTransparency_ramp_1 = clamp(diffuseTransparency_xyzTransform.x, 0.0, 1.0);
     // choices.yaml:8 Ramp
@@ -287,7 +288,8 @@ void main() {
     float specular_cornerRamp_1 = clamp(uv.x, 0.0, 1.0);
     // choices.yaml:10 Triplanar
     vec3 diffuseTransparency_triplanar2_1 = pow(max(abs(safeNormalize(cross(mat3(vec3(0.74959624, 0.15195069, -0.64421767), vec3(0.06288291, 0.9525413, 0.29784358), vec3(0.6589015, -0.26377273, 0.7044663)) * localTangentU, mat3(vec3(0.74959624, 0.15195069, -0.64421767), vec3(0.06288291, 0.9525413, 0.29784358), vec3(0.6589015, -0.26377273, 0.7044663)) * localTangentV))), vec3(1e-37)), vec3(3.0));
-    vec3 diffuseTransparency_triplanar2_2 = diffuseTransparency_triplanar2_1 / dot(diffuseTransparency_triplanar2_1, vec3(1.0));
+    vec3 diffuseTransparency_triplanar2_2 = max(diffuseTransparency_triplanar2_1 / dot(diffuseTransparency_triplanar2_1, vec3(1.0)) - vec3(0.015625), vec3(0.0));
+    vec3 diffuseTransparency_triplanar2_3 = diffuseTransparency_triplanar2_2 / dot(diffuseTransparency_triplanar2_2, vec3(1.0));
     float ramp_3 = leopard2.w - 0.1;
     // choices.yaml:4 Switch
     vec4 diffuse_chosen;
@@ -319,13 +321,13 @@ void main() {
     float carpenter_map_3 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0;
     float carpenter_map_4 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0;
     // choices.yaml:12 Triplanar
-    float triplanar = (localTangentU.z * carpenter_map_4 + carpenter_map_3 * localTangentU.x) * diffuseTransparency_triplanar_2.y + dot(emissive_wood, localTangentU) * diffuseTransparency_triplanar_2.x;
-    float triplanar_2 = (localTangentV.z * carpenter_map_4 + carpenter_map_3 * localTangentV.x) * diffuseTransparency_triplanar_2.y + dot(emissive_wood, localTangentV) * diffuseTransparency_triplanar_2.x;
+    float triplanar = (localTangentU.z * carpenter_map_4 + carpenter_map_3 * localTangentU.x) * diffuseTransparency_triplanar_3.y + dot(emissive_wood, localTangentU) * diffuseTransparency_triplanar_3.x;
+    float triplanar_2 = (localTangentV.z * carpenter_map_4 + carpenter_map_3 * localTangentV.x) * diffuseTransparency_triplanar_3.y + dot(emissive_wood, localTangentV) * diffuseTransparency_triplanar_3.x;
     uint surface_bits = rootBits(diffuse_chosen.x, 6) | rootBits(diffuse_chosen.y, 6) << 6 | rootBits(diffuse_chosen.z, 6) << 12;
     // choices.yaml:11 Ramp
     float shininess_ramp = mix(0.3, 0.6, clamp(uv.x * 3.0, 0.0, 1.0));
-    float triplanar_3 = (ramp ? (ramp_2 ? 0.0 : leopard2_2 * localPosition.x + ramp_3 * localTangentU.x) : leopard2_2) * diffuseTransparency_triplanar_2.z + triplanar;
-    float triplanar_4 = (ramp ? (ramp_2 ? 0.0 : leopard2_3 * localPosition.x + ramp_3 * localTangentV.x) : leopard2_3) * diffuseTransparency_triplanar_2.z + triplanar_2;
+    float triplanar_3 = (ramp ? (ramp_2 ? 0.0 : leopard2_2 * localPosition.x + ramp_3 * localTangentU.x) : leopard2_2) * diffuseTransparency_triplanar_3.z + triplanar;
+    float triplanar_4 = (ramp ? (ramp_2 ? 0.0 : leopard2_3 * localPosition.x + ramp_3 * localTangentV.x) : leopard2_3) * diffuseTransparency_triplanar_3.z + triplanar_2;
     vec3 bumpMap_3 = cross(bumpMap_1, triplanar_3 * 0.02 * worldTangentV - triplanar_4 * 0.02 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
@@ -344,7 +346,7 @@ void main() {
     vec3 specular_hsv_9 = (specular_hsv_8 + vec3(-0.4, 0.0, 0.0)) * vec3(1.0, 1.5, 1.0);
     vec3 specular_hsv_10 = clamp(abs(fract(specular_hsv_9.x + vec3(0.0, 0.6666667, 0.33333334)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
     vec3 specular = mix(vec3(1.0), specular_hsv_10, specular_hsv_9.y) * specular_hsv_9.z;
-    float diffuseTransparency_triplanar2 = diffuseTransparency_ramp * diffuseTransparency_triplanar2_2.z + (diffuseTransparency_ramp * diffuseTransparency_triplanar2_2.y + diffuseTransparency_triplanar2_2.x * diffuseTransparency_checker);
+    float diffuseTransparency_triplanar2 = diffuseTransparency_ramp * diffuseTransparency_triplanar2_3.z + (diffuseTransparency_ramp * diffuseTransparency_triplanar2_3.y + diffuseTransparency_triplanar2_3.x * diffuseTransparency_checker);
     uint diffuseTransparency_bits = rootBits(diffuseTransparency_triplanar2, 4);
     uint surface_bits2 = surface_bits | rootBits(specular.x, 5) << 18 | rootBits(specular.y, 5) << 23 | rootBits(transparency.x, 4) << 28;
     uint surface_bits3 = rootBits(specular.z, 5) | rootBits(transparency.y, 4) << 5 | rootBits(transparency.z, 4) << 9;

@@ -62,8 +62,9 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // triplanar.yaml:4 Triplanar
     vec3 diffuse_triplanar_1 = pow(max(abs(safeNormalize(cross(localTangentU * 3.0, localTangentV * 3.0))), vec3(1e-37)), vec3(4.0));
-    vec3 diffuse_triplanar_2 = diffuse_triplanar_1 / dot(diffuse_triplanar_1, vec3(1.0));
-    vec3 diffuse_triplanar = diffuse_triplanar_2.z * diffuse_checker_5 + (diffuse_triplanar_2.y * diffuse_checker_3 + diffuse_triplanar_2.x * diffuse_checker);
+    vec3 diffuse_triplanar_2 = max(diffuse_triplanar_1 / dot(diffuse_triplanar_1, vec3(1.0)) - vec3(0.015625), vec3(0.0));
+    vec3 diffuse_triplanar_3 = diffuse_triplanar_2 / dot(diffuse_triplanar_2, vec3(1.0));
+    vec3 diffuse_triplanar = diffuse_triplanar_3.z * diffuse_checker_5 + (diffuse_triplanar_3.y * diffuse_checker_3 + diffuse_triplanar_3.x * diffuse_checker);
     uint surface_bits = rootBits(diffuse_triplanar.x, 8) | rootBits(diffuse_triplanar.y, 8) << 8 | rootBits(diffuse_triplanar.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }
