@@ -229,57 +229,56 @@ float phongExponent(float x) {
 
 void main() {
     // triplanar.yaml:4 Triplanar
-    vec3 diffuse_triplanar_1 = max(abs(safeNormalize(cross(localTangentU, localTangentV))), vec3(1e-37));
-    vec3 diffuse_triplanar_2 = pow(diffuse_triplanar_1, vec3(4.0));
-    vec3 diffuse_triplanar_3 = max(diffuse_triplanar_2 / dot(diffuse_triplanar_2, vec3(1.0)) - vec3(0.015625), vec3(0.0));
-    vec3 diffuse_triplanar_4 = diffuse_triplanar_3 / dot(diffuse_triplanar_3, vec3(1.0));
+    vec3 diffuse_triplanar_1 = pow(max(abs(safeNormalize(cross(localTangentU, localTangentV))), vec3(1e-37)), vec3(4.0));
+    vec3 diffuse_triplanar_2 = max(diffuse_triplanar_1 / dot(diffuse_triplanar_1, vec3(1.0)) - vec3(0.015625), vec3(0.0));
+    vec3 diffuse_triplanar_3 = diffuse_triplanar_2 / dot(diffuse_triplanar_2, vec3(1.0));
+    bool diffuse_triplanar_4 = 0.0 < diffuse_triplanar_3.x;
+    bool diffuse_triplanar_5 = 0.0 < diffuse_triplanar_3.y;
+    bool diffuse_triplanar_6 = 0.0 < diffuse_triplanar_3.z;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // triplanar.yaml:7 Triplanar
-    vec3 shininess_triplanar_1 = pow(diffuse_triplanar_1, vec3(8.0));
-    vec3 shininess_triplanar_2 = max(shininess_triplanar_1 / dot(shininess_triplanar_1, vec3(1.0)) - vec3(0.015625), vec3(0.0));
-    vec3 shininess_triplanar_3 = shininess_triplanar_2 / dot(shininess_triplanar_2, vec3(1.0));
     // triplanar.yaml:5 Expression
     float diffuse_expression;
-    if (0.0 < diffuse_triplanar_4.x) {
-        diffuse_expression = cells3(vec3(localPosition.yz * 6.0, 0.0), vec3(0.0), 1.0, 0, 2);
+    if (diffuse_triplanar_4) {
+        diffuse_expression = cells3(vec3(localPosition.yz * 6.0, 0.0), vec3(0.0), 1.0, 0, 2) * 0.15 + 0.4;
     } else {
         diffuse_expression = 0.0;
     }
     // triplanar.yaml:6 Expression
     float diffuse_expression2;
-    if (0.0 < diffuse_triplanar_4.y) {
-        diffuse_expression2 = turbulence(vec3(localPosition.xz * 3.0, 0.5), 5, 2.0, 0.5) * 0.5 + 0.5;
+    if (diffuse_triplanar_5) {
+        diffuse_expression2 = turbulence(vec3(localPosition.xz * 3.0, 0.5), 5, 2.0, 0.5) * 0.15 + 0.5;
     } else {
         diffuse_expression2 = 0.0;
     }
     float diffuse_expression2_1;
-    if (0.0 < diffuse_triplanar_4.z) {
-        diffuse_expression2_1 = turbulence(vec3(localPosition.xy * 3.0, 0.5), 5, 2.0, 0.5) * 0.5 + 0.5;
+    if (diffuse_triplanar_6) {
+        diffuse_expression2_1 = turbulence(vec3(localPosition.xy * 3.0, 0.5), 5, 2.0, 0.5) * 0.15 + 0.5;
     } else {
         diffuse_expression2_1 = 0.0;
     }
-    float diffuse_triplanar = diffuse_expression2_1 * diffuse_triplanar_4.z + (diffuse_expression2 * diffuse_triplanar_4.y + diffuse_expression * diffuse_triplanar_4.x);
+    float diffuse_triplanar = diffuse_expression2_1 * diffuse_triplanar_3.z + (diffuse_expression2 * diffuse_triplanar_3.y + diffuse_expression * diffuse_triplanar_3.x);
     uint diffuse_bits = rootBits(diffuse_triplanar, 8);
     // triplanar.yaml:7 Expression
     float shininess_expression;
-    if (0.0 < shininess_triplanar_3.x) {
-        shininess_expression = turbulence(vec3(localPosition.yz * 2.0, 0.0), 4, 2.0, 0.5) + 0.2;
+    if (diffuse_triplanar_4) {
+        shininess_expression = turbulence(vec3(localPosition.yz * 2.0, 0.0), 4, 2.0, 0.5) * 0.1 + 0.5;
     } else {
         shininess_expression = 0.0;
     }
     float shininess_expression_1;
-    if (0.0 < shininess_triplanar_3.y) {
-        shininess_expression_1 = turbulence(vec3(localPosition.xz * 2.0, 0.0), 4, 2.0, 0.5) + 0.2;
+    if (diffuse_triplanar_5) {
+        shininess_expression_1 = turbulence(vec3(localPosition.xz * 2.0, 0.0), 4, 2.0, 0.5) * 0.1 + 0.5;
     } else {
         shininess_expression_1 = 0.0;
     }
     float shininess_expression_2;
-    if (0.0 < shininess_triplanar_3.z) {
-        shininess_expression_2 = turbulence(vec3(localPosition.xy * 2.0, 0.0), 4, 2.0, 0.5) + 0.2;
+    if (diffuse_triplanar_6) {
+        shininess_expression_2 = turbulence(vec3(localPosition.xy * 2.0, 0.0), 4, 2.0, 0.5) * 0.1 + 0.5;
     } else {
         shininess_expression_2 = 0.0;
     }
-    float shininess_triplanar = shininess_expression_2 * shininess_triplanar_3.z + (shininess_expression_1 * shininess_triplanar_3.y + shininess_expression * shininess_triplanar_3.x);
+    // triplanar.yaml:7 Triplanar
+    float shininess_triplanar = shininess_expression_2 * diffuse_triplanar_3.z + (shininess_expression_1 * diffuse_triplanar_3.y + shininess_expression * diffuse_triplanar_3.x);
     uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, logarithmBits(phongExponent(shininess_triplanar), 10) << 21);
     fragment0 = surface_bits;
 }
