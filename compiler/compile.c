@@ -70,7 +70,8 @@ double compile_displacement_bound(const Ir *ir)
     const Ranges ranges = range_find(ir, &arena, FIELD_LANES);
     for (int lane = 0; lane < ir_lanes(ir, output->value); lane++) {
         const Interval x = range_of(&ranges, ir, output->value, lane);
-        size += fmax(fabs(x.low), fabs(x.high)); /* tangents and normal need not be at right angles */
+        const double most = fmax(fabs(x.low), fabs(x.high));
+        size = ir_lanes(ir, output->value) == 4 ? fmax(size, most) : size + most; /* tangents and normal need not be at right angles */
     }
     arena_free(&arena);
     const Value *bound = graph_displacement(ir->displaced).bound;
@@ -87,7 +88,7 @@ static void doubt_bound(Session *session, const Ir *ir)
     if (!ir->displaced || isfinite(compile_displacement_bound(ir)))
         return;
     const Displacement d = graph_displacement(ir->displaced);
-    const Node *map = d.height->kind == VALUE_node ? d.height->node : d.vector->node;
+    const Node *map = d.volume->kind == VALUE_node ? d.volume->node : d.height->kind == VALUE_node ? d.height->node : d.vector->node;
     diag_add(session, map->span, DIAG_unbounded_displacement);
 }
 

@@ -208,19 +208,61 @@ static void add_along(double position[3], const double v[3], double by)
         position[lane] += by * v[lane] / size;
 }
 
-bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, MatcPoint *points, int count)
+static bool has_material(const MatcDocument *d, int material)
+{
+    return d->graph && material >= 0 && material < d->graph->material_count;
+}
+
+/* The oracle of a document as the options have it; NULL: they are faulty. */
+static Oracle *oracle_for(const MatcDocument *d, int material, const MatcOptions *options)
 {
     Job job;
-    const MatcOptions options = choice_whole_options(given);
-    if (!d->graph || material < 0 || material >= d->graph->material_count || choice_job(&options, &job))
-        return false;
+    if (!has_material(d, material) || choice_job(options, &job))
+        return NULL;
     const ReferenceContext context = {.noise = job_noise(job.choice[AXIS_noise], job.target)};
-    Oracle *oracle = oracle_open(d->graph, &context);
-    bool fine = true;
+    return oracle_open(d->graph, &context);
+}
+
+bool matc_has_volume(const MatcDocument *d, int material)
+{
+    const Node *displaced = has_material(d, material) ? oracle_displaced(d->graph->materials[material].node) : NULL;
+    return displaced && graph_displaces_volume(displaced);
+}
+
+bool matc_solid(const MatcDocument *d, int material, const MatcOptions *given, MatcSolid *points, int count)
+{
+    const MatcOptions options = choice_whole_options(given);
+    Oracle *oracle = matc_has_volume(d, material) ? oracle_for(d, material, &options) : NULL;
+    bool fine = oracle != NULL;
+    for (int i = 0; fine && i < count; i++) {
+        const Surface surface = surface_of(&points[i].at, options.time);
+        fine = oracle_displacement_at(oracle, d->graph->materials[material].node, &surface, points[i].heights);
+    }
+    oracle_close(oracle);
+    return fine;
+}
+
+/* The highest of what is solid, as a motion; along the normal, none where nothing is. */
+static void to_top(double by[ORACLE_HEIGHTS])
+{
+    const bool first = by[0] < by[1], second = by[2] < by[3];
+    const double top = first && second ? fmax(by[1], by[3]) : first ? by[1] : second ? by[3] : 0;
+    by[0] = by[1] = 0;
+    by[2] = top;
+}
+
+bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, MatcPoint *points, int count)
+{
+    const MatcOptions options = choice_whole_options(given);
+    const bool volume = matc_has_volume(d, material);
+    Oracle *oracle = oracle_for(d, material, &options);
+    bool fine = oracle != NULL;
     for (int i = 0; fine && i < count; i++) {
         const Surface surface = surface_of(&points[i], options.time);
-        double move[3];
+        double move[ORACLE_HEIGHTS];
         fine = oracle_displacement_at(oracle, d->graph->materials[material].node, &surface, move);
+        if (volume)
+            to_top(move);
         add_along(points[i].position, points[i].tangent_u, move[0]);
         add_along(points[i].position, points[i].tangent_v, move[1]);
         add_along(points[i].position, points[i].normal, move[2]);

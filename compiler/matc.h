@@ -175,6 +175,16 @@ typedef struct {
  * faults, or a value takes too many operations. */
 MATC_API bool matc_move(const MatcDocument *document, int material, const MatcOptions *options, MatcPoint *points, int count);
 
+/* The material puts a volume in its surface's place (`displacementVolume`). */
+MATC_API bool matc_has_volume(const MatcDocument *document, int material);
+/* What of that is solid along the unit normal of a point, in units of the world: from heights[0] to [1] and from [2] to [3]; nothing where the second is no more. */
+typedef struct {
+    MatcPoint at;
+    double heights[4];
+} MatcSolid;
+/* Sets heights by the C reference in double, and answers as matc_move does. */
+MATC_API bool matc_solid(const MatcDocument *document, int material, const MatcOptions *options, MatcSolid *points, int count);
+
 /* Gives a param of the document another default, of as many lanes as it has; `before`, of four lanes, is told the one it had first, or is NULL. It holds for what is
  * compiled, evaluated and moved from now on, and no other thread uses the document meanwhile. False: it has no param of that name and so many lanes. */
 MATC_API bool matc_set_default(MatcDocument *document, const char *param, const double *lanes, int count, double *before);

@@ -64,6 +64,13 @@ static double apart_of(const double a[4], const double b[3])
     return size_of((double[3]){a[0] - b[0], a[1] - b[1], a[2] - b[2]}) / fmax(1, size_of(b));
 }
 
+/* The fourth height of a volume. */
+static double apart_in_last(const double a[4], const double b[4], const Node *material)
+{
+    const Node *displaced = oracle_displaced(material);
+    return displaced && graph_displaces_volume(displaced) ? fabs(a[3] - b[3]) / fmax(1, fabs(b[3])) : 0;
+}
+
 /* The IR of the pass displacement, at one level. */
 static void check_material(Document *d, int material, int optimize, double worst[2])
 {
@@ -95,8 +102,9 @@ static void check_material(Document *d, int material, int optimize, double worst
         ir_eval(ir, &context, (const double(*)[4])inputs, result);
         assert_true(oracle_displacement(oracle, node, &surface, &want));
         const bool rough = oracle_slopes_rough(oracle);
-        const double value = apart_of(result[0], want.by),
-                     slope = fmax(apart_of(result[1], want.by_u), apart_of(result[2], want.by_v));
+        const double value = fmax(apart_of(result[0], want.by), apart_in_last(result[0], want.by, node)),
+                     slope = fmax(fmax(apart_of(result[1], want.by_u), apart_of(result[2], want.by_v)),
+                                  fmax(apart_in_last(result[1], want.by_u, node), apart_in_last(result[2], want.by_v, node)));
         worst[0] = fmax(worst[0], value);
         if (value > value_bound)
             fail_msg("%s, -O%d, point %d: %.17g %.17g %.17g, not %.17g %.17g %.17g", document_name(d), optimize, i, result[0][0],

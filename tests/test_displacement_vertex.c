@@ -97,7 +97,7 @@ static void vertices_stand_where_the_oracle_has_them(void **state)
 {
     static const char *const documents[] = {"displacement.yaml", "channels/displacementVector.yaml", "channels/displacementPicture.yaml",
                                             "channels/displacementBound.yaml", "channels/displacementSwitch.yaml",
-                                            "channels/displacementBumped.yaml"};
+                                            "channels/displacementBumped.yaml", "channels/displacementVolume.yaml"};
     static const char *const passes[] = {"gbuffer", "value", "shadow", "depth"};
     double worst = 0;
     for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {

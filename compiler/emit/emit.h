@@ -26,7 +26,8 @@ typedef struct {
 /* What the vertex stages have for a material that displaces its surface, all but attributes and main(). */
 typedef struct VertexMove {
     bool inputs[INPUT_COUNT];      /* that main() sets: those of the source `vertex` */
-    bool along_tangents;           /* the function gives a vec3, along dP/du, dP/dv and the normal; else a float along the normal */
+    bool along_tangents;           /* the function gives a vec3, along dP/du, dP/dv and the normal; else a float along the normal, */
+    bool volume;                   /* or a vec4, from where to where along it a volume is solid, twice */
     const char *declarations;      /* uniforms and textures, shared with the fragment program */
     const char *text;              /* variables that main() sets, library functions, matc_displacement() */
 } VertexMove;

@@ -224,7 +224,9 @@ static const char *move_text(Session *session, const Ir *ir, const Job *job, Int
     put_functions(&e, &functions, functions_of(ir, &root, 1, &scratch));
     emit_scope_open(&e, NULL, &root, 1);
     text_format(&functions, "// How far the point moves: %s.\n%s matc_displacement() {\n",
-                ir_type(ir, root) == TYPE_float ? "along its normal" : "along dP/du, dP/dv and its normal",
+                ir_type(ir, root) == TYPE_float  ? "along its normal"
+                : ir_type(ir, root) == TYPE_vec4 ? "what is solid along its normal, from x to y and from z to w"
+                                                 : "along dP/du, dP/dv and its normal",
                 type_table[ir_type(ir, root)].name);
     put_result(&e, &functions, root);
     for (int i = 0; i < INPUT_COUNT; i++)
@@ -248,7 +250,8 @@ static Interface with_move(Session *session, const Ir *ir, const Job *job, const
     VertexMove *move = ARENA_NEW(session->arena, VertexMove);
     Text declarations = text_new(session->arena);
     move->text = move_text(session, ir, job, &own);
-    move->along_tangents = ir_type(ir, displacement->value) != TYPE_float;
+    move->along_tangents = ir_type(ir, displacement->value) == TYPE_vec3;
+    move->volume = ir_type(ir, displacement->value) == TYPE_vec4;
     memcpy(move->inputs, own.inputs, sizeof move->inputs);
     Interface all = joined(session, ir, fragment, &own);
     emit_move_declarations(session, &declarations, ir, job, (Declared){&own, &all});

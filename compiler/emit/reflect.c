@@ -237,7 +237,7 @@ static void put_sky(Text *out, const GraphSky *sky)
 static void put_displacement(Text *out, const VertexMove *move, double bound)
 {
     text_put(out, ",\n  \"displacement\": {");
-    json_member(out, "along", move->along_tangents ? "tangents" : "normal");
+    json_member(out, "along", move->along_tangents ? "tangents" : move->volume ? "volume" : "normal");
     if (isfinite(bound)) {
         text_put(out, ", \"bound\": ");
         text_double(out, bound);

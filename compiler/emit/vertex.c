@@ -110,13 +110,24 @@ static void mark_move(const VertexMove *move, bool attribute[MOVE_ATTRIBUTES])
             attribute[move_feeds[i].attribute] = true;
 }
 
-/* The displaced position in the world, as matc_worldPosition. */
-static void put_move(Text *out, const VertexMove *move)
+static void put_move_inputs(Text *out, const VertexMove *move)
 {
     for (int i = 0; i < MOVE_FEEDS; i++)
         if (move->inputs[move_feeds[i].input] || move_feeds[i].input == INPUT_vertexP)
             text_format(out, "    %s = %s;\n", input_table[move_feeds[i].input].glsl, move_feeds[i].expression);
+}
+
+/* The displaced position in the world, as matc_worldPosition. Of a volume it is the highest, and where nothing is solid the surface's own. */
+static void put_move(Text *out, const VertexMove *move)
+{
+    put_move_inputs(out, move);
     text_put(out, "    vec3 matc_up = matc_worldNormalFromLocal * displacementNormal;\n");
+    if (move->volume) {
+        text_put(out, "    vec4 matc_heights = matc_displacement();\n"
+                      "    float matc_top = max(matc_heights.x < matc_heights.y ? matc_heights.y : -1e30, matc_heights.z < matc_heights.w ? matc_heights.w : -1e30);\n"
+                      "    matc_worldPosition += (matc_top > -1e30 ? matc_top : 0.0) * matc_up / max(length(matc_up), 1e-30);\n");
+        return;
+    }
     if (!move->along_tangents) {
         text_put(out, "    matc_worldPosition += matc_displacement() * matc_up / max(length(matc_up), 1e-30);\n");
         return;
@@ -257,6 +268,14 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     emit_vertex_body(out, job, interface);
 }
 
+static void put_displaced_head(Text *out, const char *name)
+{
+    text_format(out, "%s(vec3 position", name);
+    for (int i = 0; i < MOVE_ATTRIBUTES; i++)
+        text_format(out, ", %s", displacement_attributes[i]);
+    text_put(out, ") {\n");
+}
+
 /* A point that is displaced by a function, whichever stage calls it: its arguments have the names of the vertex program's attributes. */
 const char *emit_displace(Session *session, const Job *job, const Interface *interface)
 {
@@ -267,11 +286,12 @@ const char *emit_displace(Session *session, const Job *job, const Interface *int
     if (move)
         text_format(&out, "%s\n%s", move->declarations, move->text);
     text_put(&out, move ? "" : "\n");
-    text_put(&out, "// The point in the world of attributes in the object's space. All vertices of one position take the same ones, so that none tears off.\n"
-                   "vec3 matc_displaced(vec3 position");
-    for (int i = 0; i < MOVE_ATTRIBUTES; i++)
-        text_format(&out, ", %s", displacement_attributes[i]);
-    text_put(&out, ") {\n");
+    if (move && move->volume) {
+        put_displaced_head(&out, "// What is solid along the unit normal in the world, of attributes in the object's space: from x to y, and from z to w; nothing where the second is no more.\nvec4 matc_solid");
+        put_move_inputs(&out, move);
+        text_put(&out, "    return matc_displacement();\n}\n\n");
+    }
+    put_displaced_head(&out, "// The point in the world of attributes in the object's space. All vertices of one position take the same ones, so that none tears off.\nvec3 matc_displaced");
     if (move)
         put_move(&out, move);
     text_format(&out, "    return %s;\n}\n", move ? "matc_worldPosition" : "(matc_worldFromLocal * vec4(position, 1.0)).xyz");

@@ -261,6 +261,30 @@ static const Node *displaced_front(const Node *material)
     return material;
 }
 
+static bool same_map(const Value *a, const Value *b)
+{
+    return a->kind == b->kind && (a->kind != VALUE_node || a->node == b->node);
+}
+
+static const Value *first_map(const Displacement *d)
+{
+    return d->volume->kind == VALUE_node ? d->volume : d->height->kind == VALUE_node ? d->height : d->vector;
+}
+
+/* What a volume takes the place of, and what counts for volumes alone. */
+static void doubt_volume(const Doubts *d, const Node *node)
+{
+    const Displacement has = graph_displacement(node);
+    if (has.volume->kind != VALUE_node && has.threshold->kind != VALUE_none)
+        diag_add(d->session, has.threshold->span, DIAG_no_volume);
+    if (has.volume->kind != VALUE_node)
+        return;
+    if (has.height->kind == VALUE_node)
+        diag_add(d->session, has.height->span, DIAG_volume_displacement, "displacement");
+    if (has.vector->kind == VALUE_node)
+        diag_add(d->session, has.vector->span, DIAG_volume_displacement, "displacementVector");
+}
+
 /* A surface has one shape, which is not its back's, unless that is the same. */
 static void doubt_back(const Doubts *d, const Node *node)
 {
@@ -269,11 +293,9 @@ static void doubt_back(const Doubts *d, const Node *node)
     if (!other || other == shape)
         return;
     const Displacement has = graph_displacement(other);
-    const Value *height = has.height->kind == VALUE_node ? has.height : has.vector;
+    const Value *height = first_map(&has);
     const Displacement seen = shape ? graph_displacement(shape) : has;
-    if (!shape || seen.height->kind != has.height->kind || seen.vector->kind != has.vector->kind ||
-        (has.height->kind == VALUE_node && seen.height->node != has.height->node) ||
-        (has.vector->kind == VALUE_node && seen.vector->node != has.vector->node))
+    if (!shape || !same_map(seen.height, has.height) || !same_map(seen.vector, has.vector) || !same_map(seen.volume, has.volume))
         diag_add(d->session, height->span, DIAG_back_displacement);
 }
 
@@ -352,7 +374,8 @@ static void say(Doubts *d, const Node *node)
 {
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
-        doubt_components(d, node), doubt_mixed(d, node), doubt_unstored(d, node), doubt_fuzz(d, node);
+        doubt_components(d, node), doubt_mixed(d, node), doubt_unstored(d, node), doubt_fuzz(d, node),
+            doubt_volume(d, node);
     if (node->kind == KIND_SideSwitch)
         doubt_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)

@@ -35,14 +35,16 @@ static const int displacement_param[KIND_COUNT] = {
 Displacement graph_displacement(const Node *material)
 {
     const Value *first = node_param(material, displacement_param[material->kind]);
-    return (Displacement){first, first + 1, first + 2, first + 3};
+    return (Displacement){first, first + 1, first + 2, first + 3, first + 4, first + 5};
 }
 
 bool graph_displaces(const Node *material)
 {
     const Displacement d = graph_displacement(material);
-    return d.height->kind == VALUE_node || d.vector->kind == VALUE_node;
+    return d.height->kind == VALUE_node || d.vector->kind == VALUE_node || d.volume->kind == VALUE_node;
 }
+
+bool graph_displaces_volume(const Node *material) { return graph_displacement(material).volume->kind == VALUE_node; }
 
 bool value_is_zero(const Value *value)
 {

@@ -160,11 +160,13 @@ static inline const float *image_floats(const Image *image)
 
 /* What a material says of the geometry of its surface: the parameters of DISPLACEMENT_PARAMS. */
 typedef struct {
-    const Value *height, *vector, *scale, *bound;
+    const Value *height, *vector, *scale, *bound, *volume, *threshold;
 } Displacement;
 Displacement graph_displacement(const Node *material);
-/* It has a map that moves the surface. */
+/* It has a map that moves the surface, or puts a volume in its place. */
 bool graph_displaces(const Node *material);
+/* It puts a volume in its place: `height` and `vector` do not count. */
+bool graph_displaces_volume(const Node *material);
 /* It is 0 everywhere. */
 bool value_is_zero(const Value *value);
 /* Fills graph->models, which has room: of nodes, inputs before users. A missing material is a grey Phong. */

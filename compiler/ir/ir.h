@@ -70,7 +70,8 @@ typedef struct {
     int next;        /* the one with this result that was made before, from 1; 0 is none. By ir_function alone */
 } IrFunction;
 
-/* OUT_displacement: how far the vertex stages move the point, a float along the normal, or a vec3 along dP/du, dP/dv and the normal. */
+/* OUT_displacement: how far the vertex stages move the point, a float along the normal, or a vec3 along dP/du, dP/dv and the normal; or a vec4, from
+ * where to where along the normal a volume is solid, twice. */
 typedef enum { OUT_discard, OUT_depth, OUT_color, OUT_displacement } OutputKind;
 typedef struct {
     OutputKind kind;

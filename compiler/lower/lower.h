@@ -142,7 +142,8 @@ Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The material whose parameters displace a surface: itself, or through its switches that which stands for it, of a SideSwitch in front; NULL:
  * none. lower_material.c */
 const Node *lower_displaced(const Node *material);
-/* What that moves a point by (lower_displacement.c): a float along the normal, or a vec3 along dP/du, dP/dv and the normal. */
+/* What that moves a point by (lower_displacement.c): a float along the normal, or a vec3 along dP/du, dP/dv and the normal; or, of a volume, a vec4, from where to where it is solid along the
+ * normal, twice. */
 Ref lower_displacement(Lower *l, const Node *displaced, const Env *env);
 /* The surface after it was displaced: its normal and tangents, by the slopes of what displaces it; the rest of `env` as it was. */
 Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env);

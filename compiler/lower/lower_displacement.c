@@ -5,7 +5,10 @@
  *
  * So the normal of a pixel has all of the slope, whatever the triangles carry of it: finer ones move the surface and never the shading.
  * A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0: dP'/du = (1, 0, 0.1), N' = (-0.1, 0, 1).
- * Maps read the surface as its mesh has it: a colour stays where it is, however far that moves. */
+ * Maps read the surface as its mesh has it: a colour stays where it is, however far that moves.
+ *
+ * Or a volume stands in its place: along n it is solid from the red of displacementVolume to its green, and from blue to alpha; nothing of a pair whose second is no higher. Whoever makes its
+ * triangles knows the normals of these, so that the fragment program has the mesh's. */
 #include "compiler/lower/relief.h"
 
 /* Environments of their own in the memo: beyond all that filters make of others. */
@@ -34,27 +37,52 @@ static Ref moved_by(Lower *l, const Displacement *d, const Env *env)
     return build_add(ir, v, build_vec(ir, TYPE_vec3, zero, zero, height(l, d, env)));
 }
 
-/* At most `bound` long, whichever way its lanes lead: their sizes are added up. */
+/* At most `bound` long, whichever way its lanes lead: their sizes are added up; those of a volume lead the same way. */
 static Ref within(Lower *l, Ref value, double bound)
 {
     Ir *ir = l->ir;
     const double least = 1e-30;
-    if (ir_type(ir, value) == TYPE_float)
-        return build_clamp(ir, value, build_float(ir, -bound), build_float(ir, bound));
+    const Type type = ir_type(ir, value);
+    if (type != TYPE_vec3)
+        return build_clamp(ir, value, build_all(ir, type, -bound), build_all(ir, type, bound));
     Ref size = build_max(ir, build_dot(ir, build_abs(ir, value), build_vec3(ir, 1, 1, 1)), build_float(ir, least));
     return build_mul(ir, value, build_min(ir, build_float(ir, 1), build_div(ir, build_float(ir, bound), size)));
+}
+
+/* What of a volume begins below is empty: it ends where it begins. */
+static Ref above(Lower *l, Ref heights, double threshold)
+{
+    Ir *ir = l->ir;
+    Ref from[2], to[2];
+    for (int i = 0; i < 2; i++) {
+        from[i] = build_lane(ir, heights, 2 * i);
+        Ref low = build_lt(ir, from[i], build_float(ir, threshold));
+        to[i] = build_select(ir, low, from[i], build_lane(ir, heights, 2 * i + 1));
+    }
+    return build_vec(ir, TYPE_vec4, from[0], to[0], from[1], to[1]);
+}
+
+static Ref volume(Lower *l, const Displacement *d, const Env *env)
+{
+    return build_convert(l->ir, lower_ask(l, d->volume->node, GROUP_R, env), TYPE_vec4);
 }
 
 Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
 {
     const Displacement d = graph_displacement(displaced);
-    double bound[4];
-    Ref value = build_mul(l->ir, moved_by(l, &d, env), lower_param(l, d.scale, TYPE_float));
+    const bool solid = graph_displaces_volume(displaced);
+    double bound[4], threshold[4];
+    Ref value = build_mul(l->ir, solid ? volume(l, &d, env) : moved_by(l, &d, env), lower_param(l, d.scale, TYPE_float));
     lower_reject_uniform(l, d.bound, "displacementBound", "volumes around objects are made before it is set");
-    if (d.bound->kind != VALUE_number)
+    lower_reject_uniform(l, d.threshold, "displacementThreshold", "it says which shape there is");
+    if (d.bound->kind == VALUE_number) {
+        value_number(d.bound, TYPE_float, bound);
+        value = within(l, value, bound[0]);
+    }
+    if (!solid || d.threshold->kind != VALUE_number)
         return value;
-    value_number(d.bound, TYPE_float, bound);
-    return within(l, value, bound[0]);
+    value_number(d.threshold, TYPE_float, threshold);
+    return above(l, value, threshold[0]);
 }
 
 static Ref tangent(const Env *env, bool by_v) { return env->root[by_v ? GROUP_DV : GROUP_DU]; }
@@ -78,7 +106,7 @@ static Ref rise(Lower *l, Ref slope)
 static Slopes slopes_of(Lower *l, const Node *displaced, const Env *env)
 {
     const Displacement d = graph_displacement(displaced);
-    const Type type = d.vector->kind == VALUE_node ? TYPE_vec3 : TYPE_float;
+    const Type type = d.volume->kind == VALUE_node ? TYPE_vec4 : d.vector->kind == VALUE_node ? TYPE_vec3 : TYPE_float;
     Env unseen = *env; /* a shape is the same for all who look at it; nothing but displacement is asked in this environment */
     unseen.seen = false;
     unseen.shape = true;
@@ -106,7 +134,7 @@ Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env)
     return moved;
 }
 
-/* Three lanes, of a height the last. */
+/* Three lanes, of a height the last; of a volume four. */
 static Ref as_vector(Lower *l, Ref value)
 {
     Ir *ir = l->ir;

@@ -272,7 +272,7 @@ static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
 static Ref normal_of(Lower *l, const Node *m, const Env *mesh, bool eye)
 {
     const Node *displaced = lower_displaced(m);
-    const Env moved = displaced ? lower_displaced_env(l, displaced, mesh) : *mesh, *env = &moved;
+    const Env moved = displaced && !graph_displaces_volume(displaced) ? lower_displaced_env(l, displaced, mesh) : *mesh, *env = &moved;
     const Node *front = seen_from(m, true), *back = seen_from(m, false);
     if (front == back)
         return side_normal(l, front, env, eye);

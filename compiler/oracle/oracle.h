@@ -53,13 +53,17 @@ void oracle_close(Oracle *oracle);
 bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result);
 /* What the last point took, in steps of some 5 ns. */
 double oracle_work(const Oracle *oracle);
-/* How far the material moves the point: along dP/du, dP/dv and the normal, before the slopes of these by u and by v. All 0: it is not displaced. */
+/* How far the material moves the point: along dP/du, dP/dv and the normal, before the slopes of these by u and by v. All 0: it is not displaced. Of a volume: from where to where it is
+ * solid along the normal, twice. */
+enum { ORACLE_HEIGHTS = 4 };
 typedef struct {
-    double by[3], by_u[3], by_v[3];
+    double by[ORACLE_HEIGHTS], by_u[ORACLE_HEIGHTS], by_v[ORACLE_HEIGHTS];
 } OracleDisplacement;
 bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface, OracleDisplacement *result);
+/* The material that displaces a surface, which may be one that this one chooses; NULL: none does. */
+const Node *oracle_displaced(const Node *material);
 /* The first of these alone, which takes a fraction of the time. */
-bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface, double by[3]);
+bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface, double by[ORACLE_HEIGHTS]);
 /* One channel of one map at a point. A NULL map is the surface. */
 double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface);
 #endif

@@ -4,12 +4,28 @@
 
 enum { ALONG_N = 2 };
 
+/* From where to where a volume is solid, which ends where it begins where that is below the threshold. */
+static void solid_heights(Environment *environment, const Displacement *d, double bound, double heights[ORACLE_HEIGHTS])
+{
+    const double scale = oracle_float(d->scale);
+    for (int lane = 0; lane < ORACLE_HEIGHTS; lane++)
+        heights[lane] = fmax(-bound, fmin(bound, scale * oracle_ask(environment, d->volume->node, channel_id(GROUP_R, lane))));
+    for (int lane = 0; d->threshold->kind != VALUE_none && lane < ORACLE_HEIGHTS; lane += 2)
+        if (heights[lane] < oracle_float(d->threshold))
+            heights[lane + 1] = heights[lane];
+}
+
 /* How far along dP/du, dP/dv and the normal. */
-void oracle_move_by(Environment *environment, const Node *displaced, double move[3])
+void oracle_move_by(Environment *environment, const Node *displaced, double move[ORACLE_HEIGHTS])
 {
     const Displacement d = graph_displacement(displaced);
     const double scale = oracle_float(d.scale);
     double size = 0, bound = d.bound->kind == VALUE_none ? INFINITY : oracle_float(d.bound);
+    if (graph_displaces_volume(displaced)) {
+        solid_heights(environment, &d, bound, move);
+        return;
+    }
+    move[ORACLE_HEIGHTS - 1] = 0;
     for (int lane = 0; lane < 3; lane++)
         move[lane] = d.vector->kind == VALUE_node
                          ? scale * oracle_ask(environment, d.vector->node, channel_id(GROUP_R, lane))
@@ -24,17 +40,18 @@ void oracle_move_by(Environment *environment, const Node *displaced, double move
 
 static double lane_of_move(Environment *environment, const Node *displaced, int lane)
 {
-    double move[3];
+    double move[ORACLE_HEIGHTS];
     oracle_move_by(environment, displaced, move);
     return move[lane];
 }
 
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *d)
 {
-    const bool along_normal = graph_displacement(displaced).vector->kind != VALUE_node; /* the other lanes are 0 */
+    const bool volume = graph_displaces_volume(displaced),
+               along_normal = !volume && graph_displacement(displaced).vector->kind != VALUE_node; /* the other lanes are 0 */
     *d = (OracleDisplacement){0};
     oracle_move_by(environment, displaced, d->by);
-    for (int lane = along_normal ? ALONG_N : 0; lane < 3; lane++) {
+    for (int lane = along_normal ? ALONG_N : 0; lane < (volume ? ORACLE_HEIGHTS : 3); lane++) {
         double slope[2];
         oracle_slopes(environment, &(Height){lane_of_move, displaced, lane}, slope);
         d->by_u[lane] = slope[0];

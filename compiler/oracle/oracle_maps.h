@@ -98,11 +98,9 @@ typedef struct {
     Environment environment;
 } Projection;
 void oracle_project(Environment *outer, const Node *triplanar, int axis, Projection *made);
-/* The material that displaces a surface; NULL: none does. oracle_material.c */
-const Node *oracle_displaced(const Node *material);
 /* How such a material moves the point; the surface's frame after it was displaced, as its normal and tangents. oracle_displacement.c */
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *result);
-void oracle_move_by(Environment *environment, const Node *displaced, double move[3]);
+void oracle_move_by(Environment *environment, const Node *displaced, double move[ORACLE_HEIGHTS]);
 void oracle_displace(Environment *environment, const Node *displaced, Surface *surface);
 
 /* Work of the oracle, in steps of some 5 ns. oracle_work.c */

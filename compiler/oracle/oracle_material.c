@@ -225,7 +225,7 @@ static void answer_displaced(Environment *environment, const Node *material, Slo
 {
     const Node *displaced = oracle_displaced(material);
     answer(environment, material, result);
-    if (!displaced)
+    if (!displaced || graph_displaces_volume(displaced))
         return;
     SlotValues moved;
     Surface surface = *environment->surface;
@@ -291,7 +291,7 @@ bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *su
     return move(oracle, material, surface, true, result);
 }
 
-bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface, double by[3])
+bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface, double by[ORACLE_HEIGHTS])
 {
     OracleDisplacement found;
     const bool fine = move(oracle, material, surface, false, &found);

@@ -7,6 +7,7 @@
 #include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_refine.h"
+#include "runtime/scene/scene_volume.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,19 +45,6 @@ static MatcPoint point_of(const ShapeVertex *vertex, const SceneMatrix *m, const
     return point;
 }
 
-/* The unit sum of different normals of a place is its first vertex' for displacement. */
-static void join_normals(const Shape *shape, const int *first, ShapeVertex *joined)
-{
-    for (int i = 0; i < shape->vertex_count; i++) {
-        const float *n = shape->vertices[i].normal;
-        if (first[i] == i)
-            joined[i] = shape->vertices[i];
-        else if (memcmp(n, shape->vertices[first[i]].normal, sizeof shape->vertices[i].normal) != 0)
-            for (int lane = 0; lane < 3; lane++)
-                joined[first[i]].normal[lane] += n[lane];
-    }
-}
-
 typedef struct {
     const SceneDisplacing *how;
     SceneMatrix local_from_world;
@@ -83,6 +71,27 @@ static bool move_points(void *user, const ShapeVertex *at, int count, double (*t
     return fine;
 }
 
+/* What is solid over points, and where a height of 1 in the world leads. */
+static bool find_solid(void *user, SceneColumn *columns, int count)
+{
+    const Mover *mover = user;
+    const SceneMatrix *m = &mover->how->world_from_local, *inverse = &mover->local_from_world;
+    MatcSolid *points = calloc((size_t)count + 1, sizeof *points);
+    for (int i = 0; points && i < count; i++)
+        points[i].at = point_of(&columns[i].at, m, inverse);
+    const bool fine =
+        points && matc_solid(mover->how->document, mover->how->material, mover->how->options, points, count);
+    for (int i = 0; fine && i < count; i++) {
+        const double *n = points[i].at.normal, size = fmax(sqrt(scene_vector_dot(n, n)), 1e-30);
+        for (int lane = 0; lane < 3; lane++)
+            columns[i].along[lane] =
+                (inverse->m[lane] * n[0] + inverse->m[4 + lane] * n[1] + inverse->m[8 + lane] * n[2]) / size;
+        memcpy(columns[i].heights, points[i].heights, sizeof columns[i].heights);
+    }
+    free(points);
+    return fine;
+}
+
 /* Pixels of a unit of the object's space, along the axis that is scaled most. */
 static double pixels_at(void *user, const double at[3])
 {
@@ -104,7 +113,7 @@ static double (*moved_places(Mover *mover, const Shape *shape, const int *first,
     int count = 0;
     bool fine = joined && to;
     if (fine)
-        join_normals(shape, first, joined);
+        scene_places_join(shape, first, joined);
     for (int i = 0; fine && i < shape->vertex_count; i++) {
         at[i] = first[i] == i ? count : at[first[i]];
         if (first[i] == i)
@@ -162,6 +171,8 @@ static bool divide(const SceneDisplacing *how, const Shape *from, Shape *made)
     *made = (Shape){0};
     if (!scene_matrix_invert(&how->world_from_local, &mover.local_from_world))
         return false;
+    if (matc_has_volume(how->document, how->material))
+        return scene_volume(from, &(SceneVolume){find_solid, &mover, how->level, how->triangles}, made);
     if (how->method != WORD_Displacing_bisection)
         return divide_alike(&mover, from, made);
     const SceneRefining refining = {move_points, &mover, how->triangles, how->seen ? pixels_at : NULL, how->pixels};
@@ -277,7 +288,8 @@ bool scene_displaced_by_driver(Word method, double pixels)
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made)
 {
     *made = (SceneMesh){.path = "", .part = -1};
-    if (!how->processor && scene_displaced_by_driver(how->method, how->pixels) &&
+    const bool here = how->processor || matc_has_volume(how->document, how->material);
+    if (!here && scene_displaced_by_driver(how->method, how->pixels) &&
         !divide_to_patches(how, from, &made->shape, &made->patches))
         return false;
     return made->patches || divide(how, from, &made->shape);

@@ -171,3 +171,15 @@ int *scene_places(const Shape *shape)
     hash_index_free(&index);
     return first;
 }
+
+void scene_places_join(const Shape *shape, const int *first, ShapeVertex *joined)
+{
+    for (int i = 0; i < shape->vertex_count; i++) {
+        const float *n = shape->vertices[i].normal;
+        if (first[i] == i)
+            joined[i] = shape->vertices[i];
+        else if (memcmp(n, shape->vertices[first[i]].normal, sizeof shape->vertices[i].normal) != 0)
+            for (int lane = 0; lane < 3; lane++)
+                joined[first[i]].normal[lane] += n[lane];
+    }
+}

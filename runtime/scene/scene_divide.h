@@ -13,4 +13,6 @@ ShapeVertex scene_divide_point(const Shape *shape, int triangle, const int weigh
 uint32_t *scene_divide_rows(const uint32_t *rows, int n, uint32_t *next);
 /* By vertex: the first that stands in the same place. From malloc; NULL: memory ran out. */
 int *scene_places(const Shape *shape);
+/* By such a vertex: what all of its place are moved by, which is the first with the sum of their different normals. Others are left alone. */
+void scene_places_join(const Shape *shape, const int *first, ShapeVertex *joined);
 #endif

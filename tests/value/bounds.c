@@ -96,6 +96,7 @@ static void walk_material(const Node *material, Slot slot, Subjects *subjects)
         subjects->displaced = true;
         walk_value(d.height, subjects);
         walk_value(d.vector, subjects);
+        walk_value(d.volume, subjects);
     }
     if (material->kind == KIND_Principled)
         walk(material, subjects);
