@@ -124,6 +124,65 @@ static void symbols_stand_around_points(void **state)
     gl_close(gl);
 }
 
+/* Four heights over a square, of which the upper pair is there in a half: each has a square of its own, turned away from what is solid. The heights' planes lean by known slopes. */
+static void volumes_have_points_for_each_height(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "image: { width: 32, height: 32 }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n"
+        "materials: { m: { material: Phong, emissive: 1, displacementVolume: \"= [.1 * u, .3, .5 + .2 * v, v > .45 ? .9 : .2]\", displacementBound: 1 } }\n"
+        "displacement: { method: points, level: 6 }\nlights: []\nobjects:\n"
+        "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m }\n";
+    enum { POINTS = 2 * 28, UPPER = 4 + 5 + 6 + 7 + 1 + 2 + 3 + 4 };
+    GlContext *gl = frame_context();
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene = frame_scene(text, &options, &document);
+    double worst = 0, turned = 0;
+    int of_height[4] = {0};
+    free(frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
+    const Shape *shape = shape_of(scene);
+    for (int first = 0; first + 6 <= shape->index_count; first += 6) {
+        const ShapeVertex *v = &shape->vertices[shape->indices[first]], *across = &shape->vertices[shape->indices[first + 5]];
+        const double *known = NULL;
+        const double heights[4] = {.1 * v->uv[0], .3, .5 + .2 * v->uv[1], .9}, z = ((double)v->position[2] + across->position[2]) / 2;
+        static const double slopes[4][3] = {{.05, 0, -1}, {0, 0, 1}, {0, .1, -1}, {0, 0, 1}};
+        for (int k = 0; k < 4; k++)
+            if (!known || fabs(heights[k] - z) < fabs(*known - z))
+                known = &heights[k];
+        const double *slope = slopes[known - heights], size = sqrt(slope[0] * slope[0] + slope[1] * slope[1] + slope[2] * slope[2]);
+        of_height[known - heights]++;
+        worst = fmax(worst, fabs(*known - z));
+        for (int k = 0; k < 3; k++)
+            turned = fmax(turned, fabs((double)v->normal[k] - slope[k] / size));
+    }
+    print_message("%d, %d, %d and %d points, off by %.2g, normals by %.2g\n", of_height[0], of_height[1], of_height[2], of_height[3], worst, turned);
+    assert_true(of_height[0] == POINTS && of_height[1] == POINTS && of_height[2] == UPPER && of_height[3] == UPPER);
+    assert_true(worst < 1e-5 && turned < 1e-3);
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
+/* Three points for each small triangle, none where another is; halfway to its middle they are at 2/3 and 1/6 of it. */
+static void points_spread_into_gaps(void **state)
+{
+    (void)state;
+    GlContext *gl = frame_context();
+    MatcDocument *document;
+    Scene *scene;
+    assert_int_equal(triangles_of(gl, 3, "method: points, level: 4, spread: 0.5", &document, &scene), 2 * 3 * 16 * 2);
+    const Shape *shape = shape_of(scene);
+    for (int i = 0; i < shape->vertex_count; i += 6)
+        for (int lane = 0; lane < 2; lane++) {
+            const double sixths = 3 * ((double)shape->base[i][lane] + 0) * 4; /* steps of 1/2, in sixths */
+            assert_true(fabs(sixths - rint(sixths)) < 1e-4);
+            for (int k = 0; k < i; k += 6)
+                assert_true(memcmp(shape->base[i], shape->base[k], sizeof shape->base[i]) != 0);
+        }
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
 /* A cube whose faces are pushed by the radius of the ball through its corners is that ball. Where planes through corners have the middle of a face is 1 + 2 / 3 from the cube's: that point lies
  * between two opposite corners, whose planes it is 2 / sqrt(3) below. */
 static void a_cube_becomes_a_ball(void **state)
@@ -176,6 +235,8 @@ int main(void)
         cmocka_unit_test(skirts_have_their_triangles),
         cmocka_unit_test(skirts_hide_gaps),
         cmocka_unit_test(symbols_stand_around_points),
+        cmocka_unit_test(volumes_have_points_for_each_height),
+        cmocka_unit_test(points_spread_into_gaps),
         cmocka_unit_test(a_cube_becomes_a_ball),
         cmocka_unit_test(others_have_no_skirts),
     };

@@ -132,4 +132,32 @@ void displacePoint(uint patchNumber, vec3 w)
 {
     displaceAt(patchNumber, w, false);
 }
+
+#ifdef DISPLACE_VOLUME
+// Where one of a volume's four heights is over the point; `there` is false where its pair has nothing.
+vec3 displaceOver(uint patchNumber, vec3 w, int height, out bool there)
+{
+    uvec3 own = displaceCorners(patchNumber), moving = displaceMoving(12u * patchNumber, own, w);
+    vec3 position = displaceMixed(own, w, 0u).xyz;
+    vec4 along = displaceMixed(moving, w, 0u), up = displaceMixed(moving, w, 1u);
+    vec4 solid = matc_solid(position, up.xyz, vec2(along.w, up.w), displaceMixed(moving, w, 2u).xyz, displaceMixed(moving, w, 3u).xyz);
+    vec3 away = matc_worldNormalFromLocal * up.xyz;
+    there = height < 2 ? solid.x < solid.y : solid.z < solid.w;
+    return position + displace_localFromWorld * (away * (solid[height] / max(length(away), 1e-30)));
+}
+
+// Sets what is captured for that height, if it is there. Its normal is across two ways to points beside it, on no edge, and leads away from what is solid.
+bool displaceHeight(uint patchNumber, vec3 w, int height, float step)
+{
+    bool there, beside;
+    displacePoint(patchNumber, w);
+    displaced_position = displaceOver(patchNumber, w, height, there);
+    vec3 across = cross(displaceOver(patchNumber, w + step * vec3(-1, 0.5, 0.5), height, beside) - displaced_position,
+                        displaceOver(patchNumber, w + step * vec3(0.25, -1, 0.75), height, beside) - displaced_position);
+    float side = (dot(across, displaced_normal) < 0.0 ? -1.0 : 1.0) * (height % 2 == 0 ? -1.0 : 1.0);
+    if (length(across) > 0.0)
+        displaced_normal = side * across / length(across);
+    return there;
+}
+#endif
 #endif

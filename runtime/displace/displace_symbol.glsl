@@ -1,5 +1,9 @@
 // The geometry program of points: what stands for one is as wide as the grid's steps are long. All of it has the point's texture coordinates, and shades as the point does but for its normal.
+#ifdef DISPLACE_VOLUME
+layout(points, invocations = 4) in; // of its heights
+#else
 layout(points) in;
+#endif
 layout(triangle_strip, max_vertices = 42) out;
 flat in uint displace_patchOf[];
 in vec3 displace_weights[];
@@ -21,7 +25,7 @@ void put(vec3 by, vec3 normal)
     displaced_tangentV = own_tangentV;
     displaced_normal = own_normal;
     displaced_position = displace_center + displace_along * by.x + displace_across * by.y + displace_up * by.z;
-    if (normal != vec3(0.0))
+    if (normal != vec3(0.0) && displace_along != vec3(0.0))
         displaced_normal = normalize(displace_along * normal.x + displace_across * normal.y + displace_up * normal.z);
     EmitVertex();
 }
@@ -69,7 +73,12 @@ void main()
 {
     uvec3 corners = displaceCorners(displace_patchOf[0]);
     vec3 p[3] = vec3[3](displace_rows[4u * corners.x].xyz, displace_rows[4u * corners.y].xyz, displace_rows[4u * corners.z].xyz);
+    bool there = true;
+#ifdef DISPLACE_VOLUME
+    there = displaceHeight(displace_patchOf[0], displace_weights[0], gl_InvocationID, 0.015625 / float(displace_parts));
+#else
     displacePoint(displace_patchOf[0], displace_weights[0]);
+#endif
     displace_center = displaced_position;
     own_base = displaced_base;
     own_texcoord = displaced_texcoord;
@@ -84,6 +93,8 @@ void main()
     displace_along = normalize(way) * half_step;
     displace_across = cross(displace_up, displace_along);
     displace_up *= half_step;
+    if (!there) // as many triangles, of no extent: whoever captures them counts on them
+        displace_along = displace_across = displace_up = vec3(0.0);
     if (displace_symbol == 2)
         cylinder();
     else if (displace_symbol == 3)

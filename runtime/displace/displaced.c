@@ -41,6 +41,7 @@ bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile
     options.pass = "depth";
     options.moved = options.instances = options.validate = false;
     *made = (Displaced){.patches = patches, .mesh = mesh, .method = method_of(patches->method)};
+    made->volume = matc_has_volume(of->document, of->index);
     scene_displace_params(scene, patches->material);
     MatcProgram *program = matc_compile(of->document, of->index, MATC_FRAGMENT | MATC_DISPLACE, &options);
     scene_displace_params(scene, patches->material);
@@ -89,7 +90,7 @@ static bool is_gap(const Shape *shape, const uint32_t *index)
            !memcmp(p, shape->vertices[index[2]].position, 3 * sizeof *p);
 }
 
-/* Of what merged, its room is left, with no area. */
+/* Of what merged, or is not there of a volume, its room is left, with no area. */
 static void close_gaps(Shape *shape)
 {
     int count = 0;
@@ -127,7 +128,7 @@ bool displaced_read(const Displaced *d, const Mesh *mesh, Shape *made)
         memcpy(made->base[i], points[i].base, sizeof made->base[i]);
     }
     free(points);
-    if (fine && d->method == &displaced_bisection)
+    if (fine && (d->volume || d->method == &displaced_bisection))
         close_gaps(made);
     if (!fine)
         shape_free(made);

@@ -11,6 +11,7 @@ enum { DISPLACED_BUFFERS = 3 };
 typedef struct {
     const ScenePatches *patches; /* the scene's, of that mesh */
     int mesh;
+    bool volume; /* the material puts a volume in the surface's place */
     const struct DisplacedMethod *method;
     void *own;                         /* what the method keeps */
     Material material;                 /* writes displaced points */

@@ -12,7 +12,7 @@ static const struct {
     int triangles;
 } symbols[] = {
     {WORD_Symbol_square, 2}, {WORD_Symbol_billboard, 2}, {WORD_Symbol_cylinder, 22}, {WORD_Symbol_sphere, 36}};
-enum { BILLBOARD = 1, SYMBOLS = sizeof symbols / sizeof *symbols };
+enum { BILLBOARD = 1, HEIGHTS = 4 /* of a volume */, SYMBOLS = sizeof symbols / sizeof *symbols };
 
 static int symbol_of(const Displaced *d)
 {
@@ -24,12 +24,15 @@ static int symbol_of(const Displaced *d)
 
 static bool make(const DisplacedMaking *making, Displaced *made)
 {
-    ProgramText text = {.vertex = {displaced_version, render_text_displace_point, render_text_displace_symbol_vertex},
-                        .geometry = {displaced_version, "#define DISPLACE_POINT\n", making->displace,
-                                     render_text_displace_point, render_text_displace_symbol}};
+    ProgramText text = {
+        .vertex = {displaced_version, render_text_displace_point, render_text_displace_symbol_vertex},
+        .geometry = {displaced_version,
+                     made->volume ? "#define DISPLACE_POINT\n#define DISPLACE_VOLUME\n" : "#define DISPLACE_POINT\n",
+                     making->displace, render_text_displace_point, render_text_displace_symbol}};
     if (!displaced_program(making, &text, &made->material))
         return false;
     material_set_number(&made->material, "displace_symbol", (float)symbol_of(made));
+    material_set_number(&made->material, "displace_spread", (float)made->patches->dividing.spread);
     return true;
 }
 
@@ -47,20 +50,30 @@ static void set_eye(Displaced *d, const DisplacedView *view)
     material_set(&d->material, &(MaterialValue){"displace_eye", 3, eye});
 }
 
-static int points_of(int n) { return (n + 1) * (n + 2) / 2; }
+/* The grid's, or three for each of its triangles. */
+static int points_of(const Displaced *d, int n)
+{
+    return d->patches->dividing.spread > 0 ? 3 * n * n : (n + 1) * (n + 2) / 2;
+}
+
+/* Of what stands for the points of a patch. */
+static int triangles_of(const Displaced *d, int n)
+{
+    return points_of(d, n) * symbols[symbol_of(d)].triangles * (d->volume ? HEIGHTS : 1);
+}
 
 /* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a time, where it is Mesa's software. */
 static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *mesh, size_t at)
 {
     const GlContext *gl = displaced_context(d);
-    const int points = 3 * points_of(n) * symbols[symbol_of(d)].triangles;
+    const int points = 3 * triangles_of(d, n);
     const int most = gl->hardware ? first[1] - first[0] : points > SOFTWARE_POINTS ? 1 : SOFTWARE_POINTS / points;
     material_set_number(&d->material, "displace_parts", (float)n);
     for (int from = first[0]; from < first[1];) {
         const int count = first[1] - from < most ? first[1] - from : most;
         material_set_number(&d->material, "displace_first", (float)from);
         displaced_capture(d, mesh, at, (size_t)count * (size_t)points);
-        gl->DrawArraysInstanced(GL_POINTS, 0, points_of(n), count);
+        gl->DrawArraysInstanced(GL_POINTS, 0, points_of(d, n), count);
         gl->EndTransformFeedback();
         at += (size_t)count * (size_t)points;
         from += count;
@@ -68,7 +81,7 @@ static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *
     return at;
 }
 
-static size_t patch_triangles(const Displaced *d, int n) { return (size_t)(points_of(n) * symbols[symbol_of(d)].triangles); }
+static size_t patch_triangles(const Displaced *d, int n) { return (size_t)triangles_of(d, n); }
 static const DisplacedByParts by_parts = {patch_triangles, draw_patches};
 
 static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)

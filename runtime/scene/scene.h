@@ -88,6 +88,7 @@ typedef struct {
 typedef struct {
     Word skirts; /* WORD_Skirts_auto, ... */
     Word symbol; /* of points: WORD_Symbol_square, ... */
+    double spread; /* of points: how far those of a triangle go to its middle */
     double near, detail; /* of feedback: triangles are divided while distance - near < detail * area */
     double push, bulge;  /* hard bodies become rounder: displace_point.glsl */
     int steps;           /* of feedback: passes; 0: by the number of triangles */

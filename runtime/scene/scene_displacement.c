@@ -288,7 +288,8 @@ bool scene_displaced_by_driver(Word method, double pixels)
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made)
 {
     *made = (SceneMesh){.path = "", .part = -1};
-    const bool here = how->processor || matc_has_volume(how->document, how->material);
+    const bool here =
+        how->processor || (how->method != WORD_Displacing_points && matc_has_volume(how->document, how->material));
     if (!here && scene_displaced_by_driver(how->method, how->pixels) &&
         !divide_to_patches(how, from, &made->shape, &made->patches))
         return false;

@@ -116,6 +116,7 @@ static void read_displacement(SceneReader *r, Tree *tree)
     dividing->steps = (int)scene_thing_number(&thing, S_Displacement_steps);
     dividing->push = scene_thing_number(&thing, S_Displacement_push);
     dividing->bulge = scene_thing_number(&thing, S_Displacement_bulge);
+    dividing->spread = scene_thing_number(&thing, S_Displacement_spread);
     dividing->symbol = (Word)scene_thing_number(&thing, S_Displacement_symbol);
     if ((method == WORD_Displacing_mesh || scene_displaced_traced(method)) && r->scene->displaced_pixels > 0)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels,
