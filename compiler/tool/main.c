@@ -151,17 +151,17 @@ static int print_list(CommandLine *line)
     return answer(line, *kind ? matc_list_of(kind) : matc_list(), options_fault_list(&line->words, kind));
 }
 
-/* What `--list=` or `--schema=` was given, and is a document; NULL: neither was. */
-static const char *document_asked(const CommandLine *line)
+/* What `--list=` or `--schema=` was given; NULL: neither was, or without a word of its own. */
+static const char *word_asked(const CommandLine *line)
 {
     const char *given = line->schema ? line->schema : line->list;
-    return given && main_is_document(given) ? given : NULL;
+    return given && *given && strcmp(given, OPTIONS_SCHEMA) ? given : NULL;
 }
 
 /* --list=FILE, --list FILE..., --explain NAME FILE; --schema the same */
 static bool asks_of_documents(const CommandLine *line)
 {
-    const char *first = document_asked(line) ? document_asked(line) : line->input_count ? line->inputs[0] : "";
+    const char *word = word_asked(line), *first = word ? word : line->input_count ? line->inputs[0] : "";
     if (line->schema || line->list)
         return main_is_document(first);
     return line->explain && line->input_count && !main_is_own(line->explain);
@@ -169,7 +169,7 @@ static bool asks_of_documents(const CommandLine *line)
 
 static int answer_of_documents(CommandLine *line)
 {
-    int status = document_asked(line) ? main_definitions(line, document_asked(line)) : FINE;
+    int status = word_asked(line) ? main_definitions(line, word_asked(line)) : FINE;
     for (int i = 0; i < line->input_count; i++)
         status |= main_definitions(line, line->inputs[i]);
     return status;

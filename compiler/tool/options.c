@@ -95,7 +95,7 @@ static const Option options[] = {
     {"-I", TAKES_folder, 0, NULL},
     FLAG("--check", compile.check),
     {"--list", TAKES_maybe, offsetof(CommandLine, list), ""},
-    {"--schema", TAKES_maybe, offsetof(CommandLine, schema), "document"},
+    {"--schema", TAKES_maybe, offsetof(CommandLine, schema), OPTIONS_SCHEMA},
     FLAG("--stats", stats),
     FLAG("--watch", watch),
     FLAG("--help", help),

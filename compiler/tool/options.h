@@ -5,6 +5,7 @@
 #include "compiler/matc.h"
 
 enum { MOST_PASSES = 8 };
+#define OPTIONS_SCHEMA "document" /* what --schema asks for by itself */
 
 /* Outputs that a run may write, in the order of --emit's names. */
 typedef enum {
