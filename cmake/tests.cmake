@@ -39,10 +39,11 @@ set(QUICK golden abi embed_example functions layers locale exports test_affine t
   test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_range test_sheet test_tables test_thesis)
 
 file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
-# Frames and memory are others under sanitizers; means of many numbers, and pictures beside others' renderers, the same. The last row's
-# minutes go to the driver's compiling; what they call of matc and of the renderer, others call under sanitizers.
-set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures
-  test_reference_bounces test_value test_shared test_frame_cast test_frame_indirect_truth test_frame_meshes)
+# Frames and memory are others under sanitizers; means of many numbers, and pictures beside others' renderers, the same. The minutes
+# of the last two rows go to the driver's compiling; what they call of matc and of the renderer, others call under sanitizers.
+set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures test_reference_bounces
+  test_value test_shared test_function test_filtered_mean test_layout_claims
+  test_frame_cast test_frame_glass test_frame_indirect_truth test_frame_meshes)
 foreach(file ${TESTS})
   get_filename_component(name ${file} NAME_WE)
   file(STRINGS ${file} partly REGEX "tests/(sanitized|kill/world)[.]h")
