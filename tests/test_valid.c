@@ -9,6 +9,7 @@
 #include "compiler/emit/validate.h"
 #include "tests/sanitized.h"
 #include "tests/value/documents.h"
+#include "tests/value/share.h"
 #include "tests/value/workers.h"
 #include <pthread.h>
 #include <spawn.h>
@@ -118,7 +119,7 @@ static void check_material(Run *run, const Document *d, int material)
         options.pass = pass_table[rest % PASS_COUNT].name;
         options.noise = choice_table[axis_table[AXIS_noise].first + rest / PASS_COUNT % axis_choices(AXIS_noise)].name;
         options.optimize = rest / PASS_COUNT / axis_choices(AXIS_noise) ? 0 : 2;
-        if ((target + rest) % SANITIZED_SHARE)
+        if ((target + rest) % SANITIZED_SHARE || !share_takes(target + rest))
             continue;
         if (run->spirv_val ? options.optimize && target_table[target].spirv
                            : options.optimize || target == TARGET_DEFAULT)

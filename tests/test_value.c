@@ -9,6 +9,7 @@
 #include "tests/value/draw.h"
 #include "tests/value/rounding.h"
 #include "tests/value/sampler.h"
+#include "tests/value/share.h"
 #include "tests/value/verdicts.h"
 #include "tests/value/ways.h"
 #include "tests/value/workers.h"
@@ -289,7 +290,7 @@ static void check_material(Worker *w, Document *document, int material, bool cha
             const Way *way = &way_table[i];
             const int governing = subject_governing(&subjects, way->choice);
             const double bound = way_bound(way, document, governing);
-            if (way_matters(way, &subjects))
+            if (share_takes(slot + i) && way_matters(way, &subjects))
                 check_way(w, &(Case){&subject, (Slot)slot, way, &subjects, governing, bound, changed});
         }
     }
