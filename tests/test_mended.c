@@ -9,6 +9,7 @@
 #include "tests/stress/modes.h"
 #include "tests/stress/stress.h"
 #include "tests/value/documents.h"
+#include "tests/value/share.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,7 +17,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { PIXELS = 10 / SANITIZED_STEP, POINTS = 16 };
+enum { PIXELS = 10 / SANITIZED_STEP, POINTS = 16, SHARES = 3 };
 
 /* Documents that once had a fault, in every mode, with every pixel. */
 static void mended_documents_hold(void **state)
@@ -37,7 +38,9 @@ static void mended_documents_hold(void **state)
         options.first = i; /* each mode draws another pixel */
         options.count = PIXELS;
         const bool draws = !strcmp(mode->name, "box") || !strcmp(mode->name, "analyticAniso");
-        options.draw_every = draws && !SANITIZED ? PIXELS : 0; /* drivers take their time with each program */
+        /* drivers take their time with each program */
+        const bool takes = !SANITIZED && share_takes(i / stress_mode_count, SHARES);
+        options.draw_every = draws && takes ? PIXELS : 0;
         options.validate_every = 0;
         options.points = POINTS;
         size_t size;

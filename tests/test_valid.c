@@ -24,7 +24,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { MODULES_MOST = 1 << 14, SKIPPED = 77 };
+enum { MODULES_MOST = 1 << 14, SKIPPED = 77, SHARES = 3 };
 
 typedef struct {
     DocumentList documents;
@@ -119,7 +119,7 @@ static void check_material(Run *run, const Document *d, int material)
         options.pass = pass_table[rest % PASS_COUNT].name;
         options.noise = choice_table[axis_table[AXIS_noise].first + rest / PASS_COUNT % axis_choices(AXIS_noise)].name;
         options.optimize = rest / PASS_COUNT / axis_choices(AXIS_noise) ? 0 : 2;
-        if ((target + rest) % SANITIZED_SHARE || !share_takes(target + rest))
+        if ((target + rest) % SANITIZED_SHARE || !share_takes(target + rest, SHARES))
             continue;
         if (run->spirv_val ? options.optimize && target_table[target].spirv
                            : options.optimize || target == TARGET_DEFAULT)

@@ -23,7 +23,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { NOISES = REFERENCE_NOISE_COUNT };
+enum { NOISES = REFERENCE_NOISE_COUNT, SHARES = 6 };
 static const double SHARP = 1e-3;
 
 /* What all workers share. */
@@ -290,7 +290,7 @@ static void check_material(Worker *w, Document *document, int material, bool cha
             const Way *way = &way_table[i];
             const int governing = subject_governing(&subjects, way->choice);
             const double bound = way_bound(way, document, governing);
-            if (share_takes(slot + i) && way_matters(way, &subjects))
+            if (share_takes(slot + i, SHARES) && way_matters(way, &subjects))
                 check_way(w, &(Case){&subject, (Slot)slot, way, &subjects, governing, bound, changed});
         }
     }
