@@ -124,7 +124,7 @@ static void symbols_stand_around_points(void **state)
     gl_close(gl);
 }
 
-/* Four heights over a square, of which the upper pair is there in a half: each has a square of its own, turned away from what is solid. The heights' planes lean by known slopes. */
+/* Four heights over a square. The upper pair fills half of it: each height has a square of its own, turned away from what is solid. The heights' planes lean by known slopes. */
 static void volumes_have_points_for_each_height(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* Volumes in the place of surfaces, as triangles: closed, of the volume and the holes that closed forms have, with their normals; by bases that are flat, curved, open, and of several sides. */
+/* Volumes instead of surfaces, as triangles: closed, with the volume, the holes and the normals of closed forms; on bases that are flat, curved, open, or of several sides. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* Line by line: declarations of what goes from stage to stage become those of variables. */
 #include "runtime/cache/trace_text.h"
-#include "compiler/base/text.h"
+#include "runtime/draw/field.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -129,17 +129,11 @@ static void put_attributes(FILE *to)
 /* What documents name of a mesh: rays know nothing of it, and it has its default. */
 static void put_defaults(FILE *to, const MatcProgram *program)
 {
-    static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
     for (int i = 0; i < matc_attribute_count(program); i++) {
         const MatcAttribute *attribute = matc_attribute(program, i);
-        Arena scratch = {0};
-        Text lanes = text_new(&scratch);
-        for (int lane = 0; lane < attribute->lanes; lane++) {
-            text_put(&lanes, lane ? ", " : "");
-            text_double(&lanes, attribute->initial[lane]);
-        }
-        fprintf(to, "    %s = %s(%s);\n", attribute->attribute, types[attribute->lanes], lanes.at);
-        arena_free(&scratch);
+        char value[FIELD_DEFAULT_ROOM];
+        field_default(attribute, value);
+        fprintf(to, "    %s = %s;\n", attribute->attribute, value);
     }
 }
 

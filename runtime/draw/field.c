@@ -59,6 +59,20 @@ static int location(int input)
     return count;
 }
 
+static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"}; /* by lanes */
+
+void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM])
+{
+    Arena scratch = {0};
+    Text lanes = text_new(&scratch);
+    for (int lane = 0; lane < attribute->lanes; lane++) {
+        text_put(&lanes, lane ? ", " : "");
+        text_double(&lanes, attribute->initial[lane]);
+    }
+    snprintf(text, FIELD_DEFAULT_ROOM, "%s(%s)", types[attribute->lanes], lanes.at);
+    arena_free(&scratch);
+}
+
 /* Appends like snprintf. */
 #define PUT(...) (size += snprintf(text + size, size < TEXT_ROOM ? (size_t)(TEXT_ROOM - size) : 0, __VA_ARGS__))
 
@@ -78,7 +92,6 @@ static void write_vertex(Target target, const MatcProgram *program, const char *
             PUT("layout(location = %d) ", location(i));
         PUT("%s %s %s;\n", out, type_table[row->type].name, row->glsl);
     }
-    static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
     const int named = program ? matc_attribute_count(program) : 0;
     for (int i = 0; i < named; i++) {
         const MatcAttribute *attribute = matc_attribute(program, i);
@@ -89,14 +102,9 @@ static void write_vertex(Target target, const MatcProgram *program, const char *
     PUT("void main() {\n");
     for (int i = 0; i < named; i++) {
         const MatcAttribute *attribute = matc_attribute(program, i);
-        Arena scratch = {0};
-        Text lanes = text_new(&scratch);
-        for (int lane = 0; lane < attribute->lanes; lane++) {
-            text_put(&lanes, lane ? ", " : "");
-            text_double(&lanes, attribute->initial[lane]);
-        }
-        PUT("    %s = %s(%s);\n", attribute->varying, types[attribute->lanes], lanes.at);
-        arena_free(&scratch);
+        char value[FIELD_DEFAULT_ROOM];
+        field_default(attribute, value);
+        PUT("    %s = %s;\n", attribute->varying, value);
     }
     for (int i = 0; i < FIELD_VARYINGS; i++)
         if (declares(fragment, &input_table[i]))

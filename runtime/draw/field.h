@@ -30,6 +30,10 @@ typedef struct {
     const char *library;  /* more GLSL to be linked in, or NULL */
 } FieldText;
 
+enum { FIELD_DEFAULT_ROOM = 128 };
+/* The default of an attribute that a document names, in GLSL: vec2(0.5, 1). */
+void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM]);
+
 /* A material whose vertex program hands over what the vertices carry; its uniform vec2 field_jitter moves the picture, in clip
  * space. The rest is as material_make has it. */
 bool field_material(Store *store, MatcProgram *program, const FieldText *text, Material *made);

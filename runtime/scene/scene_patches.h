@@ -33,7 +33,7 @@ typedef struct ScenePatches {
 bool scene_patches_make(const Shape *shape, ScenePatches *made);
 /* Safe on an empty one. */
 void scene_patches_free(ScenePatches *patches);
-/* The vertices at the ends of edge k of a patch, that of the lesser place first, where vertex i is in the place of vertex first[i] (scene_places); whether that turns them round, since the edge leads from
+/* The vertices at the ends of edge k of a patch: the vertex with the lesser place comes first, and first[i] is the place of vertex i (scene_places). Returns whether that turns them round, since the edge leads from
  * corner k + 1 to k + 2. */
 bool scene_patch_ends(const ScenePatch *patch, const int *first, int k, uint32_t ends[2]);
 /* Of the inside: as many as the edge has that has most. */
