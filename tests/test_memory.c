@@ -17,7 +17,7 @@
 enum {
     SIZE = 2 << 20,
     READING = 40,  /* bytes for a byte of text, for what is refused once it is read */
-    DOCUMENT = 80, /* and for what goes on to be a document */
+    DOCUMENT = 60, /* and for what goes on to be a document */
     NOISE = 1 << 20,
 };
 

@@ -32,7 +32,8 @@ typedef struct {
     UndecidedPicture *undecided; /* in files of `colors: srgb` */
     size_t undecided_count, undecided_room;
     int node_count;
-    const Node **nodes; /* but for bare numbers */
+    const Node *defaults[PARAM_COUNT]; /* a map's default by its parameter; NULL until a node wants it */
+    const Node **nodes;                /* but for bare numbers */
     size_t named_count, named_room;
     Expansion **expansions;
     size_t expansion_count, expansion_room;
@@ -67,6 +68,7 @@ const Node *resolve_material(Resolver *r, Tree *tree, bool *fault);
  * much. Of a number, which is no part of `nodes`. resolve_node.c */
 const Node *resolve_make_node(Resolver *r, Node of);
 const Node *resolve_make_constant(Resolver *r, Node of, Value number);
+/* A parameter that is not given. A map's default is one node for all of the document. */
 Value resolve_default(Resolver *r, const ParamRow *row);
 /* translations.def makes a Principled of such a material, whose parameters are resolved; NULL and a diagnostic. resolve_translation.c */
 bool resolve_is_foreign(Kind kind);

@@ -124,6 +124,15 @@ const Node *resolve_make_constant(Resolver *r, Node of, Value number)
     return node;
 }
 
+static const Node *make_default(Resolver *r, Value number, int lanes)
+{
+    Value *value = ARENA_NEW(r->session->arena, Value);
+    Node *node = ARENA_NEW(r->session->arena, Node);
+    *value = number;
+    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = value, .width = (int8_t)lanes};
+    return node;
+}
+
 Value resolve_default(Resolver *r, const ParamRow *row)
 {
     static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3};
@@ -135,9 +144,7 @@ Value resolve_default(Resolver *r, const ParamRow *row)
     memcpy(value.number, row->init, sizeof row->init);
     if (row->type != PARAM_Map)
         return value;
-    Value *constant = ARENA_NEW(r->session->arena, Value);
-    *constant = value;
-    Node *node = ARENA_NEW(r->session->arena, Node);
-    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = constant, .width = (int8_t)row->lanes};
-    return (Value){.kind = VALUE_node, .node = node};
+    const Node **made = &r->defaults[row - param_table];
+    *made = *made ? *made : make_default(r, value, row->lanes);
+    return (Value){.kind = VALUE_node, .node = *made};
 }
