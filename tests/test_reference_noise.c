@@ -90,9 +90,9 @@ static void lattice_statistics(void **state)
                 double mirror[3] = {p[0], p[1], p[2]};
                 mirror[axis] = p[(axis + 1) % 3];
                 mirror[(axis + 1) % 3] = p[axis];
-                swapped[axis] += 4 * l[0] * reference_lattice((ReferenceNoise)noise, mirror);
+                swapped[axis] += 4 * l[0] * reference_lattice((ReferenceNoise)noise, mirror, NULL);
             }
-            neighbours += 4 * l[0] * reference_lattice((ReferenceNoise)noise, q);
+            neighbours += 4 * l[0] * reference_lattice((ReferenceNoise)noise, q, NULL);
         }
         print_message("noise %d: mean %.4f, deviation %.4f, clamped %.2f %%\n", noise, sum / SAMPLES,
                       sqrt(squares / SAMPLES), 100 * clamped / SAMPLES);
@@ -117,10 +117,10 @@ static void lattice_is_continuous_periodic_and_finite(void **state)
                          far[3] = {p[0] + 3 * 65536, p[1] - 3 * 65536.,
                                    p[2]}; /* simplex noise repeats after three of its cells' periods */
             const double farthest[3] = {1e30 * sample(), 1e308 * sample(), 1e-310 * sample()};
-            double here = reference_lattice((ReferenceNoise)noise, p);
-            near(reference_lattice((ReferenceNoise)noise, below), here, 1e-8);
-            near(reference_lattice((ReferenceNoise)noise, far), here, 1e-9);
-            inside(reference_lattice((ReferenceNoise)noise, farthest), -2, 2);
+            double here = reference_lattice((ReferenceNoise)noise, p, NULL);
+            near(reference_lattice((ReferenceNoise)noise, below, NULL), here, 1e-8);
+            near(reference_lattice((ReferenceNoise)noise, far, NULL), here, 1e-9);
+            inside(reference_lattice((ReferenceNoise)noise, farthest, NULL), -2, 2);
         }
 }
 

@@ -7,6 +7,7 @@
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene.h"
 #include "runtime/scene/scene_divide.h"
+#include "runtime/scene/scene_volume.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -224,9 +225,61 @@ static void thresholds_and_changes(void **state)
     }
 }
 
+typedef struct {
+    bool cliff;
+    int asked;
+} Asked;
+
+/* A ball of radius 1.2 around (2, 2, 0), or a slab as high as 1 that ends at x = 1.2345. */
+static bool solid_there(void *user, SceneColumn *columns, int count)
+{
+    Asked *asked = user;
+    asked->asked += count;
+    for (int i = 0; i < count; i++) {
+        const double x = (double)columns[i].at.position[0] - 2, y = (double)columns[i].at.position[1] - 2;
+        const double high = sqrt(fmax(1.44 - x * x - y * y, 0)), top = asked->cliff ? x < -.7655 : high;
+        const double heights[4] = {asked->cliff ? 0 : -high, top, 0, 0}, along[3] = {0, 0, 1};
+        memcpy(columns[i].heights, heights, sizeof heights);
+        memcpy(columns[i].along, along, sizeof along);
+    }
+    return true;
+}
+
+/* Where heights are smooth a point of the surface asks for three or four columns along its edge, and for four around it; of a cliff all points over an edge are found together. */
+static void few_columns_are_asked_for(void **state)
+{
+    (void)state;
+    ShapeVertex corners[4] = {0};
+    uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
+    for (int i = 0; i < 4; i++) {
+        corners[i].position[0] = corners[i].tangentU[0] = i == 1 || i == 2 ? 4 : 0;
+        corners[i].position[1] = i >= 2 ? 4 : 0;
+        corners[i].normal[2] = 1;
+    }
+    const Shape square = {.vertices = corners, .indices = indices, .vertex_count = 4, .index_count = 6};
+    for (int cliff = 0; cliff < 2; cliff++) {
+        Asked asked = {.cliff = cliff};
+        Shape made;
+        double off = 0;
+        int wall = 0;
+        assert_true(scene_volume(&square, &(SceneVolume){solid_there, &asked, 50, 0}, &made));
+        for (int i = 0; i < made.vertex_count; i++) {
+            const float *p = made.vertices[i].position;
+            const double x = (double)p[0] - 2, y = (double)p[1] - 2, z = (double)p[2];
+            const bool at_cliff = cliff && z > .01 && z < .99 && p[0] > .01f && p[1] > .01f && p[1] < 3.99f;
+            off = fmax(off, cliff ? (at_cliff ? fabs(x + .7655) : 0) : fabs(sqrt(x * x + y * y + z * z) - 1.2));
+            wall += at_cliff;
+        }
+        print_message("%s: %d points, %.2f columns for each, %.2g off\n", cliff ? "a cliff" : "a ball", made.vertex_count, (double)asked.asked / made.vertex_count, off);
+        assert_true(asked.asked < (cliff ? 3 : 9) * made.vertex_count);
+        assert_true(off < (cliff ? .08 / 1024 : 1e-4) && (!cliff || wall > 500));
+        shape_free(&made);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(bodies_are_closed_and_as_large_as_they_should_be),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(few_columns_are_asked_for), cmocka_unit_test(bodies_are_closed_and_as_large_as_they_should_be),
                                        cmocka_unit_test(points_and_normals_are_the_balls), cmocka_unit_test(light_passes_under_an_arch),
                                        cmocka_unit_test(thresholds_and_changes)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -30,7 +30,7 @@ enum { NOISES = sizeof noises / sizeof *noises };
 
 static double noise_at(ReferenceNoise noise, const double p[3])
 {
-    return clamp(2 * reference_lattice(noise, p), -1, 1);
+    return clamp(2 * reference_lattice(noise, p, NULL), -1, 1);
 }
 
 static void random_point(uint64_t *random, double p[3])

@@ -184,6 +184,9 @@ static double whole_power(double a, int n)
     return n < 0 ? quotient(1, product) : product;
 }
 
+/* A number is found once, and kept in all lanes. */
+static int lanes_of(const FormulaStep *step) { return step->width <= 1 ? 1 : 4; }
+
 static void term_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point, double *result)
 {
     static const double zeros[4];
@@ -198,7 +201,7 @@ static void term_value(const Formula *f, const FormulaStep *step, const FormulaP
     whole.a = args[0], whole.b = args[1], whole.c = args[2], whole.d = args[3];
     if (whole_value((Term)step->row, &whole, result))
         return;
-    for (int lane = 0; lane < 4; lane++) {
+    for (int lane = 0; lane < lanes_of(step); lane++) {
         const double x[TERM_MOST_ARGUMENTS] = {args[0][lane], args[1][lane], args[2][lane], args[3][lane],
                                                args[4][lane]};
         result[lane] = lane_value((Term)step->row, x);
@@ -218,7 +221,7 @@ static void list_value(const Formula *f, const FormulaStep *step, const FormulaP
 static void step_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point, double *result)
 {
     const double *a = step->count ? point->values[formula_argument(f, step, 0)] : NULL;
-    for (int lane = 0; lane < 4; lane++)
+    for (int lane = 0; lane < lanes_of(step); lane++)
         result[lane] = step->kind == FORMULA_number  ? step->number
                        : step->kind == FORMULA_value ? point->quantity[step->row][lane]
                        : step->kind == FORMULA_input ? point->inputs[step->row][lane]

@@ -2,6 +2,7 @@
 #include "runtime/library/java_random.h"
 #include "runtime/library/reference.h"
 #include <pthread.h>
+#include <string.h>
 
 enum {
     PERIOD = 65536,     /* of every noise along every axis */
@@ -67,11 +68,11 @@ static double signed_bits(uint32_t h)
     return (h < 0x80000000u ? (double)h : (double)h - 4294967296.0) / 2147483648.0;
 }
 
-static Corner integer_corner(const uint32_t c[3])
+static Corner integer_corner(const uint32_t c[3], int outputs)
 {
     Corner corner;
     uint32_t h = mix_bits(c[0] * 0x9E3779B1u ^ c[1] * 0x85EBCA77u ^ (c[2] * 0xC2B2AE3Du + 0x165667B1u));
-    for (int output = 0; output < OUTPUTS; output++) {
+    for (int output = 0; output < outputs; output++) {
         for (int i = 0; i < NUMBERS; i++)
             corner.number[output][i] = signed_bits(h << 7 * i);
         h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
@@ -81,12 +82,12 @@ static Corner integer_corner(const uint32_t c[3])
 }
 
 /* Of a simplex: numbers are the top bits of products of its hash. There is no value. */
-static Corner simplex_corner(const uint32_t c[3])
+static Corner simplex_corner(const uint32_t c[3], int outputs)
 {
     static const uint32_t factor[NUMBERS] = {0, 0xCAF4BCE3u, 0xCF612DE7u, 0x6BA88D47u};
     Corner corner;
     uint32_t h = c[0] * 0xA6F9A1C3u ^ c[1] * 0xF0729897u ^ c[2] * 0xB16E8989u;
-    for (int output = 0; output < OUTPUTS; output++) {
+    for (int output = 0; output < outputs; output++) {
         for (int i = 0; i < NUMBERS; i++)
             corner.number[output][i] = signed_bits(h * factor[i]);
         h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
@@ -103,12 +104,12 @@ static uint32_t prime_axis(uint32_t c)
     return cube((block * (rest + 3) + rest) % PRIME);
 }
 
-static Corner float_corner(const uint32_t c[3])
+static Corner float_corner(const uint32_t c[3], int outputs)
 {
     static const uint32_t factor[NUMBERS] = {1, 209, 304, 373}, offset[NUMBERS] = {0, 97, 211, 523};
     Corner corner;
     uint32_t h = cube(cube(cube(prime_axis(c[0]) + PRIME_STEP) + prime_axis(c[1])) + prime_axis(c[2]));
-    for (int output = 0; output < OUTPUTS; output++) {
+    for (int output = 0; output < outputs; output++) {
         for (int i = 0; i < NUMBERS; i++)
             corner.number[output][i] = ((double)((h * factor[i] + offset[i]) % PRIME) - PRIME / 2) / (PRIME / 2.);
         h = cube(h + PRIME_STEP);
@@ -116,30 +117,31 @@ static Corner float_corner(const uint32_t c[3])
     return corner;
 }
 
-static Corner groimp_corner(const uint32_t c[3])
+static Corner groimp_corner(const uint32_t c[3], int outputs)
 {
     Corner corner;
     const uint16_t *p = reference_permutation();
     uint32_t h = p[p[p[c[0]] ^ c[1]] ^ c[2]] % RANDOM_COUNT;
-    for (int output = 0; output < OUTPUTS; output++)
+    for (int output = 0; output < outputs; output++)
         for (int i = 0; i < NUMBERS; i++)
             corner.number[output][i] = (double)random_table[h + (uint32_t)(RANDOM_STEP * output + i)];
     return corner;
 }
 
-static Corner corner_of(ReferenceNoise noise, const uint32_t c[3])
+/* The first so many of its outputs. */
+static Corner corner_of(ReferenceNoise noise, const uint32_t c[3], int outputs)
 {
     switch (noise) {
     case REFERENCE_LATTICE_FLOAT:
     case REFERENCE_SIMPLEX_FLOAT:
-        return float_corner(c);
+        return float_corner(c, outputs);
     case REFERENCE_GROIMP:
     case REFERENCE_GROIMP_FLOAT:
-        return groimp_corner(c);
+        return groimp_corner(c, outputs);
     case REFERENCE_SIMPLEX:
-        return simplex_corner(c);
+        return simplex_corner(c, outputs);
     default:
-        return integer_corner(c);
+        return integer_corner(c, outputs);
     }
 }
 
@@ -155,21 +157,26 @@ typedef struct {
     double value, slope[3];
 } Weight;
 
+/* Of the first so many outputs. */
+typedef struct {
+    int outputs;
+    double value[OUTPUTS], slope[OUTPUTS][3];
+} Sum;
+
 /* Adds a corner's value-plus-gradient term times a weight, and the derivative of that. */
-static void add_corner(const Corner *corner, const double e[3], const Weight *weight, double sum[OUTPUTS],
-                       double slope[OUTPUTS][3])
+static void add_corner(const Corner *corner, const double e[3], const Weight *weight, Sum *sum)
 {
-    for (int output = 0; output < OUTPUTS; output++) {
+    for (int output = 0; output < sum->outputs; output++) {
         const double *t = corner->number[output];
         double term = t[0] / 2 + t[1] * e[0] + t[2] * e[1] + t[3] * e[2];
-        sum[output] += weight->value * term;
+        sum->value[output] += weight->value * term;
         for (int axis = 0; axis < 3; axis++)
-            slope[output][axis] += weight->value * t[1 + axis] + weight->slope[axis] * term;
+            sum->slope[output][axis] += weight->value * t[1 + axis] + weight->slope[axis] * term;
     }
 }
 
 /* Value-plus-gradient noise on the cubic lattice: weights s(t) = 3 t^2 - 2 t^3 along each axis. */
-static void cubic(ReferenceNoise noise, const double p[3], double sum[OUTPUTS], double slope[OUTPUTS][3])
+static void cubic(ReferenceNoise noise, const double p[3], Sum *sum)
 {
     uint32_t cell[3];
     double d[3];
@@ -191,8 +198,8 @@ static void cubic(ReferenceNoise noise, const double p[3], double sum[OUTPUTS], 
         const Weight weight = {
             share[0] * share[1] * share[2],
             {rise[0] * share[1] * share[2], share[0] * rise[1] * share[2], share[0] * share[1] * rise[2]}};
-        Corner corner = corner_of(noise, c);
-        add_corner(&corner, e, &weight, sum, slope);
+        Corner corner = corner_of(noise, c, sum->outputs);
+        add_corner(&corner, e, &weight, sum);
     }
 }
 
@@ -212,7 +219,7 @@ static void simplex_steps(const double x[3], int steps[4][3])
 
 /* Gradient noise on the simplex lattice (Gustavson 2005) with the kernel (1/2 - r^2)^4, which ends where a simplex does, so that
  * the noise is continuous; the kernel's usual 0.6 is not. */
-static void simplex(ReferenceNoise noise, const double far[3], double sum[OUTPUTS], double slope[OUTPUTS][3])
+static void simplex(ReferenceNoise noise, const double far[3], Sum *sum)
 {
     const double p[3] = {fmod(far[0], 3. * PERIOD), fmod(far[1], 3. * PERIOD), fmod(far[2], 3. * PERIOD)};
     double skew = (p[0] + p[1] + p[2]) / 3, base[3], x0[3], unskew;
@@ -235,35 +242,40 @@ static void simplex(ReferenceNoise noise, const double far[3], double sum[OUTPUT
         Weight weight = {.value = SIMPLEX_SCALE * t * t * t * t};
         for (int i = 0; i < 3; i++)
             weight.slope[i] = -8 * SIMPLEX_SCALE * t * t * t * e[i];
-        Corner corner = corner_of(noise, c);
-        for (int output = 0; output < OUTPUTS; output++)
+        Corner corner = corner_of(noise, c, sum->outputs);
+        for (int output = 0; output < sum->outputs; output++)
             corner.number[output][0] = 0;
-        add_corner(&corner, e, &weight, sum, slope);
+        add_corner(&corner, e, &weight, sum);
     }
+}
+
+static Sum lattice(ReferenceNoise noise, const double p[3], int outputs)
+{
+    Sum sum = {.outputs = outputs};
+    if (noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT)
+        simplex(noise, p, &sum);
+    else
+        cubic(noise, p, &sum);
+    return sum;
 }
 
 void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3], double slope[3][3])
 {
-    for (int output = 0; output < OUTPUTS; output++) {
-        result[output] = 0;
-        for (int axis = 0; axis < 3; axis++)
-            slope[output][axis] = 0;
-    }
-    if (noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT)
-        simplex(noise, p, result, slope);
-    else
-        cubic(noise, p, result, slope);
+    const Sum sum = lattice(noise, p, OUTPUTS);
+    memcpy(result, sum.value, sizeof sum.value);
+    memcpy(slope, sum.slope, sizeof sum.slope);
 }
 
 void reference_lattice3(ReferenceNoise noise, const double p[3], double result[3])
 {
-    double slope[OUTPUTS][3];
-    reference_lattice_slope(noise, p, result, slope);
+    const Sum sum = lattice(noise, p, OUTPUTS);
+    memcpy(result, sum.value, sizeof sum.value);
 }
 
-double reference_lattice(ReferenceNoise noise, const double p[3])
+double reference_lattice(ReferenceNoise noise, const double p[3], double slope[3])
 {
-    double result[OUTPUTS];
-    reference_lattice3(noise, p, result);
-    return result[0];
+    const Sum sum = lattice(noise, p, 1);
+    if (slope)
+        memcpy(slope, sum.slope[0], sizeof sum.slope[0]);
+    return sum.value[0];
 }

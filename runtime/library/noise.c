@@ -29,11 +29,11 @@ static Statistics statistics(const void *context)
 static double noise_at(const void *context, const double p[3], const double rest[3], double scale, double gradient[3])
 {
     const double q[3] = {scale * (p[0] + rest[0]), scale * (p[1] + rest[1]), scale * (p[2] + rest[2])};
-    double value[3], slope[3][3];
-    reference_lattice_slope(noise_of(context), q, value, slope);
+    double slope[3];
+    const double value = 2 * reference_lattice(noise_of(context), q, slope);
     for (int i = 0; i < 3; i++)
-        gradient[i] = fabs(2 * value[0]) < 1 ? 2 * slope[0][i] : 0;
-    return clamp(2 * value[0], -1, 1);
+        gradient[i] = fabs(value) < 1 ? 2 * slope[i] : 0;
+    return clamp(value, -1, 1);
 }
 
 /* What is lost, a (1 - 1 / (1 + b w^2 + c w^4)) until that is all: no difference of ones for a narrow width. */

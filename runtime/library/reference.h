@@ -62,8 +62,8 @@ static inline double fraction(double v) { return v - floor(v); }
 #define REFERENCE_STEPS   65536
 #define WAVE_PHI          1.61803398874989484820
 
-/* L_0 of semantics.md 3.1 with table offset 0, and (L_0, L_8, L_16): value-plus-gradient lattice noise. */
-double reference_lattice(ReferenceNoise noise, const double p[3]);
+/* L_0 of semantics.md 3.1 with table offset 0 and its gradient (or NULL), and (L_0, L_8, L_16): value-plus-gradient lattice noise. */
+double reference_lattice(ReferenceNoise noise, const double p[3], double slope[3]);
 void reference_lattice3(ReferenceNoise noise, const double p[3], double result[3]);
 /* The three outputs and the gradient of each. */
 void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3], double slope[3][3]);
