@@ -99,6 +99,14 @@ static void maps_have_their_files(void **state)
     }
 }
 
+/* Temporaries with one are not looked for among them: emit_name.c. */
+static void no_function_has_an_underscore(void **state)
+{
+    (void)state;
+    for (int i = 0; i < FUNCTION_COUNT; i++)
+        assert_false(function_row(i)->name && strchr(function_row(i)->name, '_'));
+}
+
 /* Whether a document compiles: a fault in it is one, an internal fault fails the test. */
 static bool compiles(const char *text)
 {
@@ -224,7 +232,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rows_are_documented),   cmocka_unit_test(parameters_stand_under_their_kind),
         cmocka_unit_test(defaults_are_in_range), cmocka_unit_test(scenes_are_sound),
-        cmocka_unit_test(maps_have_their_files), cmocka_unit_test(every_parameter_is_tried),
+        cmocka_unit_test(maps_have_their_files), cmocka_unit_test(no_function_has_an_underscore), cmocka_unit_test(every_parameter_is_tried),
         cmocka_unit_test(every_wave_is_known),   cmocka_unit_test(every_alias_and_preset_is_known),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -58,11 +58,9 @@ static void read_color(const FormulaSource *s, Token *token)
 
 static uint32_t symbol_end(const FormulaSource *s, uint32_t at)
 {
-    for (int i = 0; i < symbol_count; i++) {
-        const size_t size = strlen(symbol_table[i].text);
-        if (size <= s->size - at && !memcmp(s->text + at, symbol_table[i].text, size))
-            return at + (uint32_t)size;
-    }
+    for (int i = 0; i < symbol_count; i++)
+        if (symbol_table[i].text[0] == s->text[at] && formula_begins(s, at, symbol_table[i].text))
+            return at + (uint32_t)strlen(symbol_table[i].text);
     return s->text[at] && strchr("()[],;=?:.", s->text[at]) ? at + 1 : at;
 }
 
@@ -102,13 +100,6 @@ Token formula_token(const FormulaSource *s, uint32_t at)
         token = (Token){.kind = TOKEN_other, .start = at, .end = at + (uint32_t)(size > 0 ? size : 1)};
     }
     return token;
-}
-
-bool formula_token_is(const FormulaSource *s, Token token, const char *symbol)
-{
-    const size_t size = strlen(symbol);
-    return token.kind == TOKEN_symbol && formula_token_size(token) == size &&
-           !memcmp(s->text + token.start, symbol, size);
 }
 
 const char *formula_token_text(const FormulaSource *s, Token token)

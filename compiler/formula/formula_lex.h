@@ -2,6 +2,7 @@
 #ifndef MATC_FORMULA_LEX_H
 #define MATC_FORMULA_LEX_H
 #include "compiler/formula/formula.h"
+#include <string.h>
 
 typedef enum {
     TOKEN_end,
@@ -24,8 +25,19 @@ typedef struct {
 /* The token that begins at that byte or behind the space there. */
 Token formula_token(const FormulaSource *source, uint32_t at);
 static inline uint32_t formula_token_size(Token token) { return token.end - token.start; }
+/* The text goes on with that word at that byte. */
+static inline bool formula_begins(const FormulaSource *source, uint32_t at, const char *word)
+{
+    while (at < source->size && *word && source->text[at] == *word)
+        at++, word++;
+    return !*word;
+}
 /* Whether the token is this symbol. */
-bool formula_token_is(const FormulaSource *source, Token token, const char *symbol);
+static inline bool formula_token_is(const FormulaSource *source, const Token *token, const char *symbol)
+{
+    return token->kind == TOKEN_symbol && source->text[token->start] == symbol[0] &&
+           formula_token_size(*token) == strlen(symbol) && formula_begins(source, token->start, symbol);
+}
 /* For messages: 'sin', or the end of the formula. */
 const char *formula_token_text(const FormulaSource *source, Token token);
 #endif

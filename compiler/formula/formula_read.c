@@ -29,7 +29,10 @@ static uint32_t read_value(FormulaReader *r)
 /* name "=" stands next. */
 static bool is_local(const FormulaReader *r)
 {
-    return r->token.kind == TOKEN_name && formula_token_is(r->s, formula_token(r->s, r->token.end), "=");
+    if (r->token.kind != TOKEN_name)
+        return false;
+    const Token next = formula_token(r->s, r->token.end);
+    return formula_token_is(r->s, &next, "=");
 }
 
 /* name "=" value */

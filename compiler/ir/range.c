@@ -375,15 +375,19 @@ static Seen *mark_compared(const Ir *ir, Arena *arena)
     return seen;
 }
 
-Ranges range_find(const Ir *ir, Arena *arena, int lanes)
+/* Of those that are live; NULL: of all. */
+static Ranges find(const Ir *ir, Arena *arena, int lanes, const uint8_t *live)
 {
     Ranges r = {.of = ARENA_ARRAY(arena, Interval, ir->count * (size_t)lanes), .count = (Ref)ir->count, .lanes = lanes};
     r.seen = lanes == 1 ? NULL : mark_compared(ir, arena); /* all lanes as one know no guards */
     for (Ref ref = 1; ref < r.count; ref++)
         for (int lane = 0; lane < lanes && lane < (lanes == 1 ? 1 : ir_lanes(ir, ref)); lane++) {
-            Interval range = range_computed(&r, ir, ref, lane);
-            bool none = isnan(range.low) || isnan(range.high);
+            const Interval range = !live || live[ref] ? range_computed(&r, ir, ref, lane) : everything;
+            const bool none = isnan(range.low) || isnan(range.high);
             r.of[(Ref)lanes * ref + (Ref)lane] = none ? everything : range;
         }
     return r;
 }
+
+Ranges range_find(const Ir *ir, Arena *arena, int lanes) { return find(ir, arena, lanes, NULL); }
+Ranges range_find_live(const Ir *ir, Arena *arena, int lanes) { return find(ir, arena, lanes, ir_live(ir, arena)); }

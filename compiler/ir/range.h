@@ -14,6 +14,8 @@ typedef struct {
 
 /* Of all nodes, in the arena. Arithmetic that rounds may pass a bound by a rounding's worth: 1e-5 of it. */
 Ranges range_find(const Ir *ir, Arena *arena, int lanes);
+/* Of nodes that outputs need; any other may be anything. */
+Ranges range_find_live(const Ir *ir, Arena *arena, int lanes);
 /* The interval of such a node holds to the last bit. */
 bool range_is_exact(Op op);
 /* Of a lane, or of all lanes together where that is all that is kept. What came later may be anything. */

@@ -70,22 +70,24 @@ bool layout_has_slot(const LayoutRow *row, Slot slot)
 
 static int plain_count(const LayoutRow *row) { return row->case_count - row->further_count; }
 
-/* It has all that any but a further one has. */
-static bool case_is_whole(const LayoutRow *row, const CaseRow *fields)
+/* A bit for each slot of which it stores a lane. */
+static unsigned stored_slots(const CaseRow *row)
 {
-    for (int slot = 0; slot < SLOT_COUNT; slot++)
-        for (int i = 0; i < plain_count(row); i++)
-            if (layout_case_has_slot(&row->cases[i], (Slot)slot) && !layout_case_has_slot(fields, (Slot)slot))
-                return false;
-    return true;
+    unsigned slots = 0;
+    for (int i = 0; i < row->field_count; i++)
+        for (int k = 0; k < row->fields[i].count; k++)
+            slots |= 1u << row->fields[i].source[k].slot;
+    return slots;
 }
 
 bool layout_is_whole(const LayoutRow *row)
 {
+    unsigned all = 0, most = 0;
     for (int i = 0; i < plain_count(row); i++)
-        if (case_is_whole(row, &row->cases[i]))
-            return true;
-    return false;
+        all |= stored_slots(&row->cases[i]);
+    for (int i = 0; i < plain_count(row) && most != all; i++)
+        most = stored_slots(&row->cases[i]);
+    return plain_count(row) && most == all;
 }
 
 static int bits_for(int count)

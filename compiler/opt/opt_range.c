@@ -115,6 +115,6 @@ static const bool *find_steps(Ir *ir)
 
 bool opt_range(Ir *ir)
 {
-    const Known known = {range_find(ir, &ir->scratch, MOST_LANES), find_steps(ir)};
+    const Known known = {range_find_live(ir, &ir->scratch, MOST_LANES), find_steps(ir)};
     return ir_sweep(ir, decide, &known);
 }

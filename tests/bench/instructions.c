@@ -1,6 +1,6 @@
 /* matbench instructions: our shader and one written by hand for the same material, both through glslang and spirv-opt -O,
  * counted in SPIR-V instructions within functions. The shaders by hand average nothing over the pixel, so ours are those of
- * --aa=none. The documents and the shaders lie in tests/bench/. */
+ * --aa=none. The documents and the shaders lie in tests/bench/; formulas have theirs in formulas.def. */
 #include "matbench.h"
 #include "compiler/base/session.h"
 #include "compiler/matc.h"
@@ -15,13 +15,14 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { OP_FUNCTION = 54, OP_LABEL = 248, HEADER_WORDS = 5, LONGEST_PATH = 1024, LARGEST_WORDS = 1 << 20 };
+enum { OP_EXTENDED = 12, OP_FUNCTION = 54, OP_LABEL = 248, HEADER_WORDS = 5, EXTENDED_SMOOTHSTEP = 49, SMOOTHSTEP_OPERATIONS = 7, LONGEST_PATH = 1024, LARGEST_WORDS = 1 << 20, LARGEST_FORMULA = 1024, LARGEST_SHADER = 1 << 13 };
 
 static const char *const names[] = {"plain",  "checker", "uvChecker", "wood",          "granite",
                                     "marble", "image",   "bumpImage", "volumeChecker", "sideSwitch"};
 enum { NAME_COUNT = sizeof names / sizeof *names };
 
-/* Instructions from the first function on, labels aside. */
+/* Instructions from the first function on, labels aside. A smoothstep is one of SPIR-V's, and what it is defined as on a GPU, which is what
+ * matc writes: t = clamp((x - low) * scale, 0, 1), t * t * (3 - 2 * t). */
 static int count_instructions(const uint32_t *words, size_t count)
 {
     int instructions = 0;
@@ -30,6 +31,8 @@ static int count_instructions(const uint32_t *words, size_t count)
         uint32_t op = words[at] & 0xFFFF;
         inside |= op == OP_FUNCTION;
         instructions += inside && op != OP_LABEL;
+        if (op == OP_EXTENDED && words[at + 4] == EXTENDED_SMOOTHSTEP)
+            instructions += SMOOTHSTEP_OPERATIONS - 1;
     }
     return instructions;
 }
@@ -79,24 +82,48 @@ static char *read_text(const char *name, const char *suffix, char *path, size_t 
     return text;
 }
 
-static int ours(const char *name)
+/* -1: it does not compile. */
+static int count_document(const char *path, const char *text, size_t size)
 {
-    char path[LONGEST_PATH];
-    size_t size = 0, spirv_size = 0;
-    char *text = read_text(name, ".yaml", path, &size);
+    size_t spirv_size = 0;
     MatcOptions options;
     matc_options_init(&options);
     options.target = "spirv";
     options.layout = "thesis"; /* as the programs by hand have it */
     options.aa = "none";       /* likewise */
-    MatcDocument *document = matc_read(path, text ? text : "", size, &options);
+    MatcDocument *document = matc_read(path, text, size, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_SPIRV, &options);
     const char *spirv = matc_output(program, MATC_SPIRV, &spirv_size);
-    int count = spirv ? optimised_count(spirv, spirv_size) : -1;
+    const int count = spirv ? optimised_count(spirv, spirv_size) : -1;
     if (!spirv)
         fprintf(stderr, "%s%s", matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
     matc_program_free(program);
     matc_document_free(document);
+    return count;
+}
+
+static int count_shader(const char *path, const char *text)
+{
+    size_t size = 0;
+    const char *log = "";
+    Arena arena = {0};
+    MatcOptions options;
+    matc_options_init(&options);
+    Session session = {.arena = &arena, .options = &options};
+    const char *spirv = text ? validate_to_spirv(&session, text, &size, &log) : NULL;
+    const int count = spirv ? optimised_count(spirv, size) : -1;
+    if (!spirv)
+        fprintf(stderr, "%s: %s\n", path, log);
+    arena_free(&arena);
+    return count;
+}
+
+static int ours(const char *name)
+{
+    char path[LONGEST_PATH];
+    size_t size = 0;
+    char *text = read_text(name, ".yaml", path, &size);
+    const int count = count_document(path, text ? text : "", size);
     free(text);
     return count;
 }
@@ -104,35 +131,63 @@ static int ours(const char *name)
 static int by_hand(const char *name)
 {
     char path[LONGEST_PATH];
-    size_t size = 0, spirv_size = 0;
-    const char *log = "";
-    Arena arena = {0};
-    MatcOptions options;
-    matc_options_init(&options);
-    Session session = {.arena = &arena, .options = &options};
+    size_t size = 0;
     char *text = read_text(name, ".frag", path, &size);
-    const char *spirv = text ? validate_to_spirv(&session, text, &spirv_size, &log) : NULL;
-    int count = spirv ? optimised_count(spirv, spirv_size) : -1;
-    if (!spirv)
-        fprintf(stderr, "%s: %s\n", path, log);
-    arena_free(&arena);
+    const int count = count_shader(path, text);
     free(text);
     return count;
+}
+
+typedef struct {
+    const char *name, *formula, *hand;
+} Formula;
+static const Formula formulas[] = {
+#define FORMULA(name, formula, hand) {#name, formula, hand},
+#include "formulas.def"
+};
+enum { FORMULA_COUNT = sizeof formulas / sizeof *formulas };
+
+static int formula_ours(const Formula *formula)
+{
+    char text[LARGEST_FORMULA];
+    const int size = snprintf(text, sizeof text, "material: Phong\ndiffuse: \"= %s\"\n", formula->formula);
+    return count_document(formula->name, text, (size_t)size);
+}
+
+/* Its GLSL in the place of the mark. */
+static int formula_by_hand(const Formula *formula)
+{
+    static const char mark[] = "// FORMULA";
+    char path[LONGEST_PATH], text[LARGEST_SHADER];
+    size_t size = 0;
+    char *frame = read_text("formula", ".frag", path, &size);
+    const char *at = frame ? strstr(frame, mark) : NULL;
+    if (at)
+        snprintf(text, sizeof text, "%.*s%s%s", (int)(at - frame), frame, formula->hand, at + strlen(mark));
+    const int count = count_shader(path, at ? text : NULL);
+    free(frame);
+    return count;
+}
+
+/* False: there is nothing to compare. */
+static bool put_row(const char *name, int hand, int mine)
+{
+    printf("%-14s %8d %8d %8.3f\n", name, hand, mine, (double)mine / hand);
+    return hand >= 0 && mine >= 0;
 }
 
 int bench_instructions(int argc, char **argv)
 {
     (void)argc, (void)argv;
-    int status = 0;
+    bool fine = true;
     if (!has_spirv_opt())
         return 1;
     printf("both --layout=thesis --aa=none\n");
     printf("material        by hand     matc    ratio\n");
-    for (int i = 0; i < NAME_COUNT; i++) {
-        int hand = by_hand(names[i]), mine = ours(names[i]);
-        if (hand < 0 || mine < 0)
-            status = 1;
-        printf("%-14s %8d %8d %8.3f\n", names[i], hand, mine, (double)mine / hand);
-    }
-    return status;
+    for (int i = 0; i < NAME_COUNT; i++)
+        fine &= put_row(names[i], by_hand(names[i]), ours(names[i]));
+    printf("\nformula         by hand     matc    ratio\n");
+    for (int i = 0; i < FORMULA_COUNT; i++)
+        fine &= put_row(formulas[i].name, formula_by_hand(&formulas[i]), formula_ours(&formulas[i]));
+    return !fine;
 }

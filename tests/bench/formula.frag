@@ -1,0 +1,37 @@
+#version 450 core
+// What a formula of formulas.def stands in, as written by hand.
+
+layout(location = 1) in vec3 worldNormal;
+layout(location = 4) in vec2 uv;
+layout(location = 5) in vec3 localPosition;
+layout(location = 6) in vec3 eyeNormal;
+layout(location = 0) out vec4 fragment0;
+layout(location = 1) out vec4 fragment1;
+layout(location = 2) out vec4 fragment2;
+layout(location = 3) out vec4 fragment3;
+
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+vec2 encodeSpheremap(vec3 n) {
+    float square = dot(n.xy, n.xy);
+    vec2 direction = square > 1.0e-30 ? n.xy * inversesqrt(max(square, 1.0e-30)) : vec2(1.0, 0.0);
+    vec2 front = n.xy * inversesqrt(8.0 * max(n.z, 0.0) + 8.0);
+    vec2 back = direction * sqrt(0.125 - 0.125 * min(n.z, 0.0));
+    return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
+}
+
+void main() {
+    vec3 normal = (gl_FrontFacing ? 1.0 : -1.0) * safeNormalize(eyeNormal);
+    fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
+    vec3 value;
+    // FORMULA
+    fragment1 = vec4(value, 1.0);
+    fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
+    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
+}
