@@ -15,6 +15,8 @@ static const char materials[] = "materials:\n"
                                 "  rock: { material: Phong, diffuse: { map: Checker, input: { map: UVTransform, "
                                 "scaleU: 9, scaleV: 7 } }, emissive: 0.2, displacementScale: 0.2,\n"
                                 "    displacement: { map: VolumeTurbulence, size: 2, octaves: 2, noiseRatio: 0.5 } }\n"
+                                "  leaning: { material: Phong, diffuse: 0.6, displacementVector: "
+                                "'= [.15 * sin(5 * x), .15 * cos(4 * y), .12 * sin(3 * x + 4 * y)]' }\n"
                                 "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n";
 static const char square[] = "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: wave, transform: { "
                              "translation: [-1, -1, 0] } }\n";
@@ -223,6 +225,90 @@ static void bodies_are_those_of_fine_meshes(void **state)
     gl_close(gl);
 }
 
+/* What else a scene may say: vectors, corners that are pushed out, parallel rays, instances that are smaller or mirrored. A grid as fine as its edges allow is the truth. */
+static const struct {
+    const char *name, *fine, *coarse, *camera, *objects;
+} ways[] = {{"vectors", "level: 64", "level: 16",
+             "camera: Perspective, position: [0.4, -2.6, 1.4], target: [0, 0, 0], angle: 45",
+             "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: leaning, transform: { translation: [-1, "
+             "-1, 0] } }\n"},
+            {"push", "level: 64, push: 0.4", "level: 16, push: 0.4",
+             "camera: Perspective, position: [1, -3, 2], angle: 50", box},
+            {"bulge", "level: 64, bulge: 0.75", "level: 16, bulge: 0.75",
+             "camera: Perspective, position: [1, -3, 2], angle: 50", box},
+            {"parallel rays", "level: 32", "level: 4", "camera: Orthographic, position: [1, -3, 2], size: 2.6", ball},
+            {"instances", "level: 32", "level: 4", "camera: Perspective, position: [1, -3, 2], angle: 50",
+             "- { object: Sphere, radius: 0.9, material: rock, detail: 12, transform: { scale: 0.6, translation: "
+             "[-0.8, 0, 0] } }\n"
+             "- { object: Sphere, radius: 0.9, material: rock, detail: 12, transform: { scale: [0.5, -0.7, 0.6], "
+             "translation: [0.7, 0, 0.2], "
+             "rotation: [0.4, 1, 2] } }\n"}};
+
+/* Distances relative to themselves; of parallel rays, depths. */
+static void judge_depths(const float *depth, const float *wanted, Judged *judged)
+{
+    judged->count = judged->disagree = 0;
+    for (int k = 0; k < PIXELS; k++) {
+        const double is = (double)depth[4 * k], was = (double)wanted[4 * k];
+        judge(judged, is > 0 ? -log(is) : INFINITY, was > 0 ? -log(was) : INFINITY);
+    }
+}
+
+static void all_ways_are_traced(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    Render *render = renderer(gl, &options, "depth");
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        static const char *const methods[] = {"grid", "grid", "traced"};
+        static Judged traced, grid;
+        float *depths[3];
+        for (int k = 0; k < 3; k++) {
+            char how[100];
+            snprintf(how, sizeof how, "method: %s, %s", methods[k], k ? ways[i].coarse : ways[i].fine);
+            depths[k] = picture(gl, render, &(Text){how, ways[i].camera, "", ways[i].objects, NULL});
+        }
+        judge_depths(depths[1], depths[0], &grid);
+        judge_depths(depths[2], depths[0], &traced);
+        print_message("%-14s half within %.2g, 95 %% within %.2g; the grid %.2g, %.2g; of %d pixels %d at outlines\n",
+                      ways[i].name, quantile(&traced, .5), quantile(&traced, .95), quantile(&grid, .5),
+                      quantile(&grid, .95), traced.count, traced.disagree);
+        for (int k = 0; k < 3; k++)
+            free(depths[k]);
+        assert_true(traced.count > 400 && traced.disagree <= 48);
+        assert_true(4 * quantile(&traced, .5) < quantile(&grid, .5));
+    }
+    render_close(render);
+    gl_close(gl);
+}
+
+/* In tiles a picture is what it is in one, but where a pixel's centre meets an edge. */
+static void tiles_are_traced(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    const Text text = {"method: traced, level: 4", "camera: Perspective, position: [1, -3, 2], angle: 45", "", ball,
+                       NULL};
+    GlContext *gl = frame_context();
+    MatcDocument *document;
+    Scene *scene = open_scene(&text, &options, &document);
+    RenderOptions render = {.compile = &options, .view = "depth"};
+    float *whole = frame_floats(gl, scene, &render);
+    render.tile[0] = 34;
+    render.tile[1] = 22;
+    float *parts = frame_tiles(gl, scene, &render);
+    static Judged judged;
+    judge_depths(parts, whole, &judged);
+    print_message("tiles: %d pixels, 99 %% within %.2g, %.2g at most, %d at outlines\n", judged.count,
+                  quantile(&judged, .99), quantile(&judged, 1), judged.disagree);
+    assert_true(judged.count > 500 && judged.disagree <= PIXELS / 400 && quantile(&judged, .99) < 1e-5);
+    free(whole);
+    free(parts);
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
 /* -- other passes */
 
 static int differing(const float *a, const float *b)
@@ -233,17 +319,19 @@ static int differing(const float *a, const float *b)
     return count;
 }
 
-/* Sun and lamp over a body and the ground below it: as of a fine mesh, and nearer to it than a grid's. */
+/* Sun, lamp and area light over a body and the ground below it: as of a fine mesh, and nearer to it than a grid's. */
 static void shadow_maps_see_what_is_traced(void **state)
 {
     (void)state;
-    static const char *const lights[] = {"{ light: Directional, direction: [1, 0.6, -1] }",
-                                         "{ light: Point, position: [-1, -2, 3], intensity: 12, shadows: map }"};
+    static const char *const lights[] = {
+        "{ light: Directional, direction: [1, 0.6, -1] }",
+        "{ light: Point, position: [-1, -2, 3], intensity: 12, shadows: map }",
+        "{ light: Area, position: [-1, -2, 3], u: [0, 0.6, 0], v: [0.6, 0, 0], intensity: 40 }"};
     const char camera[] = "camera: Perspective, position: [1, -3, 2], angle: 60";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     Render *render = renderer(gl, &options, "light");
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         static const char *const how[] = {"method: mesh, level: 16", "method: traced, level: 4",
                                           "method: grid, level: 4"};
         float *light[3];
@@ -257,6 +345,20 @@ static void shadow_maps_see_what_is_traced(void **state)
     }
     render_close(render);
     gl_close(gl);
+}
+
+/* What --stats says, or not. */
+static void says(GlContext *gl, const Text *of, const char *line, bool wanted)
+{
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene = open_scene(of, &options, &document);
+    char *graph = frame_graph_or_fault(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    const char *at = strstr(graph, wanted ? line : "\ntraced the");
+    if ((at != NULL) != wanted)
+        fail_msg("'%s' in %s", line, graph);
+    free(graph);
+    frame_forget(scene, document);
 }
 
 /* Pictures that go by triangles have the grid: bit for bit. */
@@ -273,6 +375,11 @@ static void exact_shadows_have_the_grid(void **state)
     for (int k = 0; k < 2; k++)
         light[k] = picture(gl, render, &(Text){how[k], camera, exact, ball, ground});
     assert_memory_equal(light[0], light[1], 4 * PIXELS * sizeof(float));
+    says(gl, &(Text){how[0], camera, exact, ball, ground}, "", false);
+    says(gl, &(Text){how[1], camera, exact, ball, ground},
+         "traced none, grids are drawn: exact shadows and silhouettes go by the triangle that a pixel sees\n", true);
+    says(gl, &(Text){how[1], camera, "{ light: Directional, shadows: hybrid }", ball, ground},
+         "traced the surface of 1 mesh; not so, but its grid's triangles: hybrid shadows\n", true);
     free(light[0]);
     free(light[1]);
     render_close(render);
@@ -284,6 +391,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_wave_is_that_of_its_closed_form),
         cmocka_unit_test(bodies_are_those_of_fine_meshes),
+        cmocka_unit_test(all_ways_are_traced),
+        cmocka_unit_test(tiles_are_traced),
         cmocka_unit_test(shadow_maps_see_what_is_traced),
         cmocka_unit_test(exact_shadows_have_the_grid),
     };

@@ -131,7 +131,7 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent);
 /* How what is traced goes to a shadow map. */
 typedef struct {
     float offset[2]; /* of glPolygonOffset */
-    float pixel;     /* a texel of the map, in clip space */
+    float pixel[2];  /* a texel of the map, in clip space */
 } CacheLightTrace;
 
 /* What a light sees of the scene. */

@@ -183,7 +183,7 @@ void cache_trace_cast(GlContext *gl, Cache *cache, int mesh, const CacheTraceCas
     find_viewer(light->clip_from_world, viewer);
     set(trace, "trace_viewer", 4, viewer);
     set(trace, "trace_offset", 2, light->traced->offset);
-    set(trace, "trace_pixel", 2, (float[]){light->traced->pixel, light->traced->pixel});
+    set(trace, "trace_pixel", 2, light->traced->pixel);
     material_use(trace);
     begin(gl, cache, cache->views[1]);
     draw_hulls(gl, cache, mesh, (int[]){cast->first, cast->count});

@@ -18,11 +18,12 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
     }
 }
 
-/* Slopes push away from the light; so do two steps of depth. shadow.glsl says by how much, and why. */
-static void push(const Render *render)
-{
-    render->gl->PolygonOffset(-(float)(render->scene->shadow_filter + 1) - 1.0f / 64, -2);
-}
+enum { STEPS_PUSHED = -2 }; /* of depth */
+
+/* Of a slope over a texel, by which it is pushed away from the light. shadow.glsl says by how much, and why. */
+static float slopes_of(const Render *render) { return -(float)(render->scene->shadow_filter + 1) - 1.0f / 64; }
+
+static void push(const Render *render) { render->gl->PolygonOffset(slopes_of(render), STEPS_PUSHED); }
 
 static void begin(const Render *render)
 {
@@ -51,30 +52,29 @@ static void end(const Render *render)
     gl->Disable(GL_DEPTH_TEST);
 }
 
-/* Maps of plain lights: the others go by triangles. Offsets as push() has them. */
-static bool find_trace(const Render *render, const ShadowView *view, CacheLightTrace *trace)
-{
-    *trace = (CacheLightTrace){{-(float)(render->scene->shadow_filter + 1) - 1.0f / 64, -2},
-                               2 / (float)render->scene->shadow_size};
-    return !view->soft && !view->hybrid && !view->silhouettes;
-}
-
-/* What a view shows of what is opaque, or of the rest, into the layer of that number. */
-static void cast_view(Render *render, const CacheSource *source, const ShadowView *view, int number, bool transparent)
-{
-    const CullVolume volume = shadow_views_volume(view);
+/* Into the layer of that number; what is traced with that offset, and texels of that size. */
+typedef struct {
+    const ShadowView *view;
+    int number;
     CacheLightTrace trace;
+} Casting;
+
+/* What a view shows of what is opaque, or of the rest. Hybrid shadows and silhouettes go by triangles, so these are what they see. */
+static void cast_view(Render *render, const CacheSource *source, const Casting *casting, bool transparent)
+{
+    const ShadowView *view = casting->view;
+    const CullVolume volume = shadow_views_volume(view);
+    const bool traced = !view->hybrid && !view->silhouettes;
     double clip[16];
-    const bool traced = find_trace(render, view, &trace);
     clip_of(view, render->zero_to_one, clip);
     cache_cast(render->gl, source, &render->cache,
                &(CacheLight){.clip_from_world = clip,
                              .volume = &volume,
                              .mirrored = view->mirrored,
                              .solid = &render->shadows.solid,
-                             .number = number,
+                             .number = casting->number,
                              .varying = view->transparent,
-                             .traced = traced ? &trace : NULL},
+                             .traced = traced ? &casting->trace : NULL},
                transparent);
 }
 
@@ -83,13 +83,15 @@ static void cast_soft(Render *render, const CacheSource *source, int number, boo
 {
     const GlContext *gl = render->gl;
     const int size = render->scene->shadow_size;
-    gl->PolygonOffset(-1.0f - 1.0f / 64, -2);
+    const float slopes = -1.0f - 1.0f / 64;
+    gl->PolygonOffset(slopes, STEPS_PUSHED);
     for (int face = 0; face < SOFT_VIEWS_FACES; face++) {
         ShadowView view;
         int rect[4];
         soft_views_face(&render->shadows.views.views[number], size, face, &view, rect);
         gl->Viewport(rect[0], rect[1], rect[2], rect[3]);
-        cast_view(render, source, &view, number, transparent);
+        const Casting casting = {&view, number, {{slopes, STEPS_PUSHED}, {2 / (float)rect[2], 2 / (float)rect[3]}}};
+        cast_view(render, source, &casting, transparent);
     }
     gl->Viewport(0, 0, size, size);
     push(render);
@@ -100,8 +102,11 @@ static void cast(Render *render, const CacheSource *source, int number, bool tra
     const ShadowView *view = &render->shadows.views.views[number];
     if (view->soft)
         cast_soft(render, source, number, transparent);
-    else
-        cast_view(render, source, view, number, transparent);
+    else {
+        const float texel = 2 / (float)render->scene->shadow_size;
+        const Casting casting = {view, number, {{slopes_of(render), STEPS_PUSHED}, {texel, texel}}};
+        cast_view(render, source, &casting, transparent);
+    }
 }
 
 static void use_layer(const Render *render, int number)
