@@ -66,6 +66,9 @@ check "--compare=indirect" status 0 "$matview" --compare=indirect "$work/scene.y
 check "--compare=displacement of a scene that has none" status 1 "$matview" --compare=displacement "$work/scene.yaml" -o "$work/none.png"
 printf 'image: { width: 64, height: 48 }\ndisplacement: { triangles: 300 }\nobjects:\n- { object: Sphere, detail: 8, material: { material: Phong, displacement: { map: Granite }, displacementScale: 0.2 } }\n' >"$work/rock.yaml"
 check "--compare=displacement" status 0 "$matview" --compare=displacement --view=wireframe "$work/rock.yaml" -o "$work/compared.png"
+sed '2s/300/200000/; 2a lights: [{ light: Directional, direction: [1, 1, -1] }]\nshadowMaps: { size: 4096 }' "$work/rock.yaml" >"$work/fine.yaml"
+check "--compare=displacement of what is much finer than its cells, in seconds" status 0 timeout 60 "$matview" --compare=displacement --progress "$work/fine.yaml" -o "$work/compared.png"
+check "says how far it is" says '8 of 9 methods drawn'
 check "of pictures that no file can hold side by side" status 1 timeout 20 "$matview" --compare=shadows --size=16384 "$work/scene.yaml" -o "$work/none.png"
 check "is told before one is drawn" says 'larger than 16384'
 check "of a material" status 2 $draw --compare=shadows $example -o "$work/none.png"

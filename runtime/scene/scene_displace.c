@@ -63,13 +63,13 @@ static Key param_key(const SceneDisplacer *by, int material)
 
 /* What the shape depends on: the object's own, the material, and of the matrix what it measures, to a millionth, which turns and places leave as it is;
  * or all of it. */
-static Key key_of(const SceneDisplacer *by, const SceneObject *object, const Base *base)
+static Key key_of(const Scene *scene, const SceneObject *object, const Base *base)
 {
+    const SceneDisplacer *by = scene->displacer;
     const double *m = object->world_from_local.m, parts_of_one = 1e6;
     double measure[12] = {0}, size = 0;
     SceneObject before = *object;
-    before.kind = base->kind;
-    before.mesh = base->mesh;
+    before.kind = base->kind, before.mesh = base->mesh;
     for (int i = 0; i < 3; i++)
         size += scene_vector_dot(&m[4 * i], &m[4 * i]);
     if (by->moves[object->material] == MATC_MOVES_world)
@@ -82,7 +82,7 @@ static Key key_of(const SceneDisplacer *by, const SceneObject *object, const Bas
     const Key parts[] = {scene_solid_key(&before),
                          param_key(by, object->material),
                          key_of_bytes(measure, sizeof measure),
-                         {(uint64_t)by->method, 0}};
+                         {(uint64_t)by->method, (uint64_t)scene->displaced_triangles}};
     return key_of_bytes(parts, sizeof parts);
 }
 
@@ -163,7 +163,7 @@ static bool displace(Maker *k, int number)
 {
     SceneDisplacer *by = k->by;
     const SceneObject *object = &k->scene->objects[number];
-    const Key key = key_of(by, object, &by->bases[number]);
+    const Key key = key_of(k->scene, object, &by->bases[number]);
     int mesh = known_mesh(k, key);
     if (mesh < 0) {
         SceneMesh made;

@@ -4,6 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What a cell is drawn by: a word of the list, and with hybrid shadows a volume. */
+typedef struct {
+    Word method, volume; /* WORD_COUNT: of none */
+} Way;
+
 typedef struct {
     GlContext *gl;
     ScenePictures *pictures;
@@ -11,98 +16,162 @@ typedef struct {
     Scene *given;
     unsigned char *rgb;
     Sheet *sheet;
+    Way ways[WORD_COUNT];
+    int count;
 } Comparison;
 
-static void use_method(Comparison *c, Word shadows)
+typedef struct {
+    const char *list;
+    const char *(*name)(Word); /* NULL: the word is not of the list */
+    bool (*use)(Comparison *, Way);
+} Listing;
+
+/* -- ways */
+
+static bool use_shadows(Comparison *c, Way way)
 {
     memcpy(c->scene.lights, c->given->lights, (size_t)c->given->light_count * sizeof *c->scene.lights);
-    scene_lights_shadow(&c->scene, shadows);
+    scene_lights_shadow(&c->scene, way.method);
+    if (way.volume != WORD_COUNT)
+        c->scene.shadow_volume = way.volume;
+    return true;
 }
 
-static bool add(Comparison *c, const char *name)
+static bool use_indirect(Comparison *c, Way way)
 {
+    memcpy(c->scene.lights, c->given->lights, (size_t)c->given->light_count * sizeof *c->scene.lights);
+    c->scene.indirect.method = way.method;
+    return true;
+}
+
+static bool use_displacement(Comparison *c, Way way)
+{
+    if (scene_displace_by(c->given, way.method) == SCENE_DISPLACED_failed)
+        return gl_fail(c->gl, "displacement by %s takes too many triangles, operations, or more memory than there is",
+                       scene_displace_name(way.method));
+    c->scene = *c->given;
+    return true;
+}
+
+static const Listing listings[] = {{"shadows", scene_shadows_name, use_shadows},
+                                   {"indirect", scene_indirect_name, use_indirect},
+                                   {"displacement", scene_displace_name, use_displacement}};
+
+static void add_way(Comparison *c, Word method)
+{
+    if (method != WORD_Shadows_hybrid) {
+        c->ways[c->count++] = (Way){method, WORD_COUNT};
+        return;
+    }
+    for (int i = 0; i < WORD_COUNT; i++)
+        if (scene_volume_name((Word)i))
+            c->ways[c->count++] = (Way){method, (Word)i};
+}
+
+static void find_ways(Comparison *c, const Listing *listing)
+{
+    for (int i = 0; i < WORD_COUNT; i++)
+        if (listing->name((Word)i) && i != WORD_Indirect_auto && i != WORD_Displacing_auto)
+            add_way(c, (Word)i);
+}
+
+/* -- displacement: no finer than its cells show */
+
+/* Of a map's edge: at least one for each pixel of a cell's. Tracing 4096 x 4096 takes minutes under llvmpipe. */
+static int cell_texels(const Sheet *sheet)
+{
+    enum { LEAST = 256 };
+    int texels = LEAST;
+    while (texels < sheet->width || texels < sheet->height)
+        texels *= 2;
+    return texels;
+}
+
+/* Of a mesh: one for so many pixels, as large as they can be without being seen. */
+static int cell_triangles(const Sheet *sheet)
+{
+    enum { PIXELS = 8, LEAST = 4096 };
+    const int triangles = sheet->width * sheet->height / PIXELS;
+    return triangles > LEAST ? triangles : LEAST;
+}
+
+static int least(int a, int b) { return a < b ? a : b; }
+
+static void fit_displacement(const Sheet *sheet, Scene *scene)
+{
+    scene->shadow_size = least(scene->shadow_size, cell_texels(sheet));
+    scene->displaced_triangles = least(scene->displaced_triangles, cell_triangles(sheet));
+}
+
+/* -- all of them */
+
+static bool draw_way(Comparison *c, const Listing *listing, Way way)
+{
+    char name[SHEET_NAME];
+    const bool volume = way.volume != WORD_COUNT;
+    snprintf(name, sizeof name, "%s%s%s", listing->name(way.method), volume ? ", " : "",
+             volume ? scene_volume_name(way.volume) : "");
     if (!sheet_has_room(c->sheet))
         return gl_fail(c->gl, "%s", sheet_too_large);
-    if (!scene_pictures_show(c->pictures, &c->scene) || !scene_pictures_pixels(c->pictures, c->rgb))
+    if (!listing->use(c, way) || !scene_pictures_show(c->pictures, &c->scene) ||
+        !scene_pictures_pixels(c->pictures, c->rgb))
         return false;
     sheet_add(c->sheet, name, c->rgb);
     return true;
 }
 
-static bool add_volumes(Comparison *c, const char *method)
+static bool draw_ways(Comparison *c, const Listing *listing, const ScenePictureOptions *options)
 {
-    char name[SHEET_NAME];
-    for (int i = 0; i < WORD_COUNT; i++) {
-        const char *volume = scene_volume_name((Word)i);
-        if (!volume)
-            continue;
-        c->scene.shadow_volume = (Word)i;
-        snprintf(name, sizeof name, "%s, %s", method, volume);
-        if (!add(c, name))
-            return false;
+    bool fine = true;
+    find_ways(c, listing);
+    for (int i = 0; fine && i < c->count; i++) {
+        if (options->progress)
+            options->progress(options->user, i, c->count);
+        fine = draw_way(c, listing, c->ways[i]);
     }
-    return true;
+    return fine;
 }
 
-static bool add_indirect(Comparison *c)
+static bool draw_displacement(Comparison *c, const Listing *listing, const ScenePictureOptions *options)
 {
-    memcpy(c->scene.lights, c->given->lights, (size_t)c->given->light_count * sizeof *c->scene.lights);
-    for (int i = 0; i < WORD_COUNT; i++) {
-        const char *name = scene_indirect_name((Word)i);
-        c->scene.indirect.method = (Word)i;
-        if (name && i != WORD_Indirect_auto && !add(c, name))
-            return false;
-    }
-    return true;
+    const Word method = c->given->displaced_by;
+    const int texels = c->given->shadow_size, triangles = c->given->displaced_triangles;
+    if (!c->given->displaced)
+        return gl_fail(c->gl, "no material of the scene displaces an object");
+    fit_displacement(c->sheet, c->given);
+    bool fine = draw_ways(c, listing, options);
+    c->given->shadow_size = texels;
+    c->given->displaced_triangles = triangles;
+    return scene_displace_by(c->given, method) != SCENE_DISPLACED_failed && fine;
 }
 
-static bool add_shadows(Comparison *c)
+static const Listing *listing_of(const char *list)
 {
-    for (int i = 0; i < WORD_COUNT; i++) {
-        const char *name = scene_shadows_name((Word)i);
-        if (!name)
-            continue;
-        use_method(c, (Word)i);
-        if (!(i == WORD_Shadows_hybrid ? add_volumes(c, name) : add(c, name)))
-            return false;
-    }
-    return true;
-}
-
-/* With how many triangles that is. */
-static bool add_displacement(Comparison *c)
-{
-    const Word given = c->given->displaced_by;
-    bool fine = c->given->displaced || gl_fail(c->gl, "no material of the scene displaces an object");
-    for (int i = 0; fine && i < WORD_COUNT; i++) {
-        const char *name = scene_displace_name((Word)i);
-        if (!name || i == WORD_Displacing_auto)
-            continue;
-        fine = scene_displace_by(c->given, (Word)i) != SCENE_DISPLACED_failed ||
-               gl_fail(c->gl, "displacement by %s takes too many triangles, operations, or more memory than there is",
-                       name);
-        c->scene = *c->given;
-        fine = fine && add(c, name);
-    }
-    return fine && scene_displace_by(c->given, given) != SCENE_DISPLACED_failed;
+    const Listing *listing = listings;
+    while (strcmp(listing->list, list) != 0)
+        listing++;
+    return listing;
 }
 
 bool compare_methods(GlContext *gl, Scene *scene, const char *list, const ScenePictureOptions *options, Sheet *sheet)
 {
-    Comparison c = {.gl = gl, .scene = *scene, .given = scene, .sheet = sheet};
+    Comparison *c = calloc(1, sizeof *c);
+    ScenePictureOptions of_one = *options;
+    const Listing *listing = listing_of(list);
+    if (!c)
+        return gl_fail(gl, "out of memory");
+    of_one.progress = NULL; /* its rows are not the sheet's */
     sheet->width = options->render.width;
     sheet->height = options->render.height;
-    c.scene.lights = malloc(((size_t)scene->light_count + 1) * sizeof *c.scene.lights);
-    c.rgb = malloc(3 * (size_t)sheet->width * (size_t)sheet->height);
-    c.pictures = scene_pictures_open(gl, options);
-    const bool room = c.scene.lights && c.rgb;
-    SceneLight *lights = c.scene.lights;
-    bool (*const add_all)(Comparison *) = !strcmp(list, "shadows")    ? add_shadows
-                                          : !strcmp(list, "indirect") ? add_indirect
-                                                                      : add_displacement;
-    const bool done = room ? c.pictures && add_all(&c) : gl_fail(gl, "out of memory");
-    scene_pictures_close(c.pictures);
+    *c = (Comparison){.gl = gl, .scene = *scene, .given = scene, .sheet = sheet};
+    SceneLight *lights = c->scene.lights = malloc(((size_t)scene->light_count + 1) * sizeof *lights);
+    c->rgb = malloc(3 * (size_t)sheet->width * (size_t)sheet->height);
+    bool done = (lights && c->rgb) || gl_fail(gl, "out of memory");
+    c->pictures = done ? scene_pictures_open(gl, &of_one) : NULL;
+    done = c->pictures && (listing->use == use_displacement ? draw_displacement : draw_ways)(c, listing, options);
+    scene_pictures_close(c->pictures);
     free(lights);
-    free(c.rgb);
+    free(c->rgb);
+    free(c);
     return done;
 }

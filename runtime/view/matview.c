@@ -52,6 +52,7 @@ static MatcDocument *read_document(const Command *command, const char *path, Sce
 typedef struct {
     double last;
     int frame, frames; /* of a motion: the one that is drawn, of several */
+    const char *parts; /* that a picture is drawn in */
 } Shown;
 
 static void show_rows(void *user, int done, int rows)
@@ -60,10 +61,10 @@ static void show_rows(void *user, int done, int rows)
     char what[96];
     Arena arena = {0};
     Text text = text_new(&arena);
-    if (shown->frames > 1)
-        snprintf(what, sizeof what, "%d of %d frames drawn", shown->frame, shown->frames);
-    else
-        snprintf(what, sizeof what, "%d of %d rows drawn", done, rows);
+    const bool frames = shown->frames > 1;
+    const char *parts = frames ? "frames" : shown->parts ? shown->parts : "rows";
+    snprintf(what, sizeof what, "%d of %d %s drawn", frames ? shown->frame : done, frames ? shown->frames : rows,
+             parts);
     fputs(progress_line(&text, what, session_now(), &shown->last), stderr);
     arena_free(&arena);
 }
@@ -248,9 +249,10 @@ static int draw_comparison(Run *run, Scene *scene, const char *input)
     char path[PICTURE_NAME_PATH];
     ScenePictureOptions options = scene_options(run, scene);
     Sheet sheet = {0};
-    options.progress = NULL; /* its rows are not the sheet's */
+    run->shown.parts = "methods";
     picture_name_frame(run->command, input, 0, path);
     const bool drawn = compare_methods(run->gl, scene, run->command->compare, &options, &sheet);
+    fputs(progress_erase(&run->shown.last), stderr);
     const int status = drawn ? write_sheet(&sheet, path) : complain(input, run->gl->error);
     sheet_free(&sheet);
     return status;
@@ -260,15 +262,14 @@ static int draw_scene(Run *run, Scene *scene, const char *input)
 {
     Drawing d = {.run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
     char room[FRAMES_ROOM];
-    const char *fault = command_check_scene(run->command, scene);
-    command_set_scene(run->command, &d.seen);
-    if (!fault)
-        fault = frames_check(scene, &d.frames, room);
+    const char *wrong = command_check_scene(run->command, scene);
+    const char *fault = wrong ? wrong : frames_check(scene, &d.frames, room);
+    command_set_scene(run->command, run->command->compare ? scene : &d.seen);
     if (fault)
         return usage(fault);
     if (run->command->compare)
-        return command_set_scene(run->command, scene), draw_comparison(run, scene, input);
-    run->shown = (Shown){.frames = d.frames.last - d.frames.first + 1};
+        return draw_comparison(run, scene, input);
+    run->shown.frames = d.frames.last - d.frames.first + 1;
     const int status = draw_frames(&d);
     scene_pictures_close(d.pictures);
     return status;
@@ -300,7 +301,7 @@ static int run_input(Run *run, const char *input)
     watch_input(command, input, document);
     if (!document)
         return FAULT;
-    run->shown = (Shown){0};
+    run->shown = (Shown){.parts = "rows"};
     fputs(matc_diagnostics(document, MATC_TEXT), stderr);
     const char *fault = scene ? NULL : command_check_material(command);
     int status = matc_error_count(document) ? FAULT
@@ -344,9 +345,8 @@ static int run_inputs(const Command *command, GlContext *gl)
             watch_list_add(command->watched, command->inputs[i]);
         return complain(command->mesh, error);
     }
-    int status = draw_inputs(command, gl, &mesh);
-    shape_free(&mesh);
-    return status;
+    const int status = draw_inputs(command, gl, &mesh);
+    return shape_free(&mesh), status;
 }
 
 /* Until a signal comes; the context stays open. A document with a fault leaves its picture as it was. */
