@@ -105,10 +105,13 @@ target_link_libraries(operation PRIVATE libmatc PkgConfig::XXHASH PkgConfig::CJS
 set_target_properties(operation PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 matc_test(operation operation)
 
-# Polynomials of the renderer's lobes, to be put into its GLSL: a program to run by hand
-add_executable(fit_principled EXCLUDE_FROM_ALL tests/fits/principled.c)
-target_link_libraries(fit_principled PRIVATE matc_flags m)
-set_target_properties(fit_principled PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+# Polynomials of the renderer's lobes, to be put into its GLSL: programs to run by hand
+foreach(name principled anisotropy)
+  add_executable(fit_${name} EXCLUDE_FROM_ALL tests/fits/${name}.c tests/fits/solve.c)
+  target_include_directories(fit_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(fit_${name} PRIVATE matc_flags m)
+  set_target_properties(fit_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+endforeach()
 
 # LeakSanitizer crashes itself on the thread-local storage of some hundred contexts that have come and gone; without it, it finds no less.
 foreach(name test_mended test_gl_egl)

@@ -118,6 +118,8 @@ static const FieldRow field_table[] = {
      false,                                                                                                            \
      0,                                                                                                                \
      0},
+#define SPAN(layout, encoding, bits, slot, from, count, low, high)                                                     \
+    {ENCODING_##encoding, bits, count, {{SLOT_##slot, from}, {SLOT_##slot, from + 1}, {SLOT_##slot, from + 2}, {SLOT_##slot, from + 3}}, false, low, high},
 #define LANE(slot, lane)                   SLOT_##slot, lane
 #define PAIR(layout, encoding, bits, a, b) {ENCODING_##encoding, bits, 2, {{a}, {b}}, false, 0, 0},
 #include "layouts.def"

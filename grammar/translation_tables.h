@@ -8,6 +8,7 @@ typedef struct {
     int to;              /* Principled's parameter, in param_table */
     const char *formula; /* of the material's parameters; NULL: a NormalMap */
     int map, scale;      /* of a NormalMap: the material's parameters */
+    const char *where;   /* read only where this formula is not 0, or may be; NULL: always */
 } TranslationRow;
 extern const TranslationRow translation_table[];
 extern const int translation_count;

@@ -67,14 +67,14 @@ static const char around[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(made(vec3(1.0), vec3(1.0), vec3(varied(p, 0.733), roughOf(p), 0.3)), toward(cosineOf(p), 0.0)); "
     "return vec4(surfaceAmbient(m, vec3(1.0)), 1.0); }\n";
 
-static void run_texts(GlContext *gl, const char *const texts[5], float (*said)[4])
+static void run_texts(GlContext *gl, const char *const texts[6], float (*said)[4])
 {
     Store *store = store_new(gl);
     Screen screen;
     ScreenPass pass;
     Framebuffer target;
     const FramebufferSpec spec = {.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA32F};
-    const ScreenPassText text = {.body = {texts[0], texts[1], texts[2], texts[3], texts[4]}, .format = "RGBA32F"};
+    const ScreenPassText text = {.body = {texts[0], texts[1], texts[2], texts[3], texts[4], texts[5]}, .format = "RGBA32F"};
     if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !screen_pass_make(store, &text, &pass))
         fail_msg("%s", gl->error);
     screen_pass_run(&pass, &target, &screen);
@@ -87,7 +87,7 @@ static void run_texts(GlContext *gl, const char *const texts[5], float (*said)[4
 
 static void run(GlContext *gl, const char *body, float (*said)[4])
 {
-    run_texts(gl, (const char *const[]){head, surface_model_principled.text, surface_model_principled.more[0], tools, body}, said);
+    run_texts(gl, (const char *const[]){head, surface_model_principled.text, surface_model_principled.more[0], surface_model_principled.more[1], tools, body}, said);
 }
 
 static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
@@ -242,7 +242,7 @@ static void stands_behind_unpacking(void **state)
     static const char text[] = "material: Principled\nbaseColor: 1\n";
     static const char body[] = "vec4 passPixel(ivec2 p) { Surface s = unpackTexels(TEXELS); s.normal = vec3(0.0, 0.0, 1.0); s.diffuse = s.specular = vec3(1.0); "
                                "s.metalness = 0.0; s.roughness = 1.0; s.reflectance = 0.04; s.emissive = vec3(0.0);\n"
-                               "#ifdef SURFACE_HAS_coat\n    s.coatTint = vec3(1.0); s.transparency = vec3(0.0); s.coat = s.fuzz = 0.0;\n#endif\n    return vec4(surfaceAmbient(surfaceLit(s, vec3(0.0, 0.0, 1.0)), vec3(1.0)) + surfaceOwn(surfaceLit(s, vec3(0.0, 0.0, 1.0))), 1.0); }\n";
+                               "#ifdef SURFACE_HAS_coat\n    s.coatTint = vec3(1.0); s.transparency = vec3(0.0); s.coat = s.fuzz = 0.0;\n#endif\n#ifdef SURFACE_HAS_anisotropy\n    s.anisotropy = vec2(0.0);\n#endif\n    return vec4(surfaceAmbient(surfaceLit(s, vec3(0.0, 0.0, 1.0)), vec3(1.0)) + surfaceOwn(surfaceLit(s, vec3(0.0, 0.0, 1.0))), 1.0); }\n";
     for (int i = 0; i < 3; i++) {
         MatcOptions options;
         matc_options_init(&options);
@@ -253,7 +253,7 @@ static void stands_behind_unpacking(void **state)
         assert_true(matc_ok(program));
         GlContext *gl = frame_context();
         const char *const texts[] = {matc_output(program, MATC_UNPACK, NULL), i == 1 ? "#define TEXELS uvec4(0u), uvec4(0u), uvec4(0u)\n" : "#define TEXELS uvec4(0u)\n"};
-        run_texts(gl, (const char *const[]){texts[0], surface_model_principled.text, surface_model_principled.more[0], texts[1], body}, said);
+        run_texts(gl, (const char *const[]){texts[0], surface_model_principled.text, surface_model_principled.more[0], surface_model_principled.more[1], texts[1], body}, said);
         gl_close(gl);
         matc_program_free(program);
         matc_document_free(document);

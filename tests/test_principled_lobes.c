@@ -83,7 +83,7 @@ static void run(GlContext *gl, const char *body, float (*said)[4])
     ScreenPass pass;
     Framebuffer target;
     const FramebufferSpec spec = {.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA32F};
-    const ScreenPassText text = {.body = {head, surface_model_principled.text, surface_model_principled.more[0], tools, body}, .format = "RGBA32F"};
+    const ScreenPassText text = {.body = {head, surface_model_principled.text, surface_model_principled.more[0], surface_model_principled.more[1], tools, body}, .format = "RGBA32F"};
     if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !screen_pass_make(store, &text, &pass))
         fail_msg("%s", gl->error);
     screen_pass_run(&pass, &target, &screen);

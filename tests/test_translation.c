@@ -62,10 +62,10 @@ static void published_values(void **state)
          1},
         {"material: StandardSurface\nbase: 0.5\nbase_color: [0.1037792, 0.59212029, 0.85064936]\nspecular_roughness: "
          "0.4\n"
-         "specular_anisotropy: 0.5\ntransmission_depth: 1\ncoat: 1\ncoat_roughness: 0\n", /* car paint */
+         "specular_anisotropy: 0.5\ntransmission_depth: 1\ncoat: 1\ncoat_roughness: 0\n", /* car paint; as wide as .16 / q and .16 q, q^2 = .55 */
          {.0518896, .296060, .425325},
          0,
-         .4,
+         .41725952,
          {1, 1, 1},
          .04,
          {0},
@@ -183,6 +183,29 @@ static void published_values(void **state)
         expect_slot(values, "emissive", rows[i].emissive, 3);
         expect_slot(values, "transparency", through, 3);
         expect_slot(values, "model", &model, 1);
+        free(values);
+    }
+}
+
+/* Both widths are kept: of glTF .25 + .75 * .36 = .52 and .25, of Standard Surface .25 / q and .25 q, q^2 = 1 - .9 * .6; and where they point. */
+static void widths_are_kept(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double wide, narrow, turn;
+    } rows[] = {
+        {"material: glTF\nroughnessFactor: 0.5\nanisotropyStrength: 0.6\nanisotropyRotation: 0.4\n", .52, .25, .4},
+        {"material: glTF\nroughnessFactor: 0.5\nanisotropyStrength: { param: strength, default: 0.6 }\n", .52, .25, 0},
+        {"material: StandardSurface\nspecular_roughness: 0.5\nspecular_anisotropy: 0.6\nspecular_rotation: 0.1\n", .3686049, .1695582, .62831853},
+        {"material: Principled\nroughness: 0.5\nanisotropy: 0.5\nanisotropyRotation: { map: Checker, color1: 0.3, color2: 0.3 }\n", .3162278, .1581139, 1.8849556},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *values = values_at(rows[i].text, "", NULL);
+        const double wide = rows[i].wide, narrow = rows[i].narrow, strength = 1 - narrow / wide;
+        const double rough = pow((wide * wide + narrow * narrow) / 2, .25), slot[] = {strength * cos(2 * rows[i].turn), strength * sin(2 * rows[i].turn)};
+        expect_slot(values, "roughness", &rough, 1);
+        expect_slot(values, "anisotropy", slot, 2);
         free(values);
     }
 }
@@ -308,6 +331,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(published_values),
+        cmocka_unit_test(widths_are_kept),
         cmocka_unit_test(same_programs),
         cmocka_unit_test(a_phong_becomes_a_principled),
         cmocka_unit_test(layouts_without_the_model_are_doubted),

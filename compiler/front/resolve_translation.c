@@ -146,6 +146,24 @@ static const Node *expression(Foreign *s, const Formula *formula)
     return resolve_make_node(s->r, (Node){.kind = KIND_Expression, .span = s->span, .params = params});
 }
 
+/* It is 0 whatever maps are that are not known: as a factor that is known is. */
+static bool is_nothing(const Foreign *s, const Formula *formula)
+{
+    static const double guesses[][4] = {{.3, .6, .9, .2}, {0, .5, 0, .7}, {1, 0, .4, 1}};
+    for (size_t i = 0; i < sizeof guesses / sizeof *guesses; i++) {
+        double found[4] = {0};
+        if (!value_with(s, formula, guesses[i], found) || found[0] != 0)
+            return false;
+    }
+    return true;
+}
+
+static bool holds(Foreign *s, const char *where)
+{
+    const Formula *formula = where ? read_formula(s, where) : NULL;
+    return !where || !formula || !is_nothing(s, formula);
+}
+
 /* What stands for a parameter of Principled; of kind VALUE_none: that is too much, and it was said. */
 static Value translated(Foreign *s, const char *text)
 {
@@ -191,18 +209,6 @@ static Value over_normal(Foreign *s, const TranslationRow *row, Value there)
                    .span = map->span};
 }
 
-/* It is 0 whatever maps are that are not known: as a factor that is known is. */
-static bool is_nothing(const Foreign *s, const Formula *formula)
-{
-    static const double guesses[][4] = {{.3, .6, .9, .2}, {0, .5, 0, .7}, {1, 0, .4, 1}};
-    for (size_t i = 0; i < sizeof guesses / sizeof *guesses; i++) {
-        double lost[4] = {0};
-        if (!value_with(s, formula, guesses[i], lost) || lost[0] != 0)
-            return false;
-    }
-    return true;
-}
-
 static void say_losses(Foreign *s)
 {
     for (int i = 0; i < loss_count; i++) {
@@ -239,7 +245,7 @@ const Node *resolve_translate(Resolver *r, Node of)
     for (int i = 0; i < translation_count; i++) {
         const TranslationRow *rule = &translation_table[i];
         Value *value = &params[rule->to - row->first];
-        if (rule->from != of.kind)
+        if (rule->from != of.kind || !holds(&s, rule->where))
             continue;
         *value = rule->formula ? translated(&s, rule->formula) : over_normal(&s, rule, *value);
         fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;

@@ -183,6 +183,8 @@ Ref lower_reflectance(Ir *ir, Ref ior);
 
 /* The shading normal as a G-buffer holds it, of eye space or the world, unit length, turned to the viewer. */
 Ref lower_stored_normal(Lower *l, const Node *material, const Env *env);
+/* The slot anisotropy about that normal. lower_principled.c */
+Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env);
 /* Writes every render target of the job's layout, by that case of it. lower_layout.c */
 void lower_layout(Lower *l, int number, const Node *material, const Env *env);
 /* The case of the layout that the material takes; their number: none stores all that it has. The IR must simplify, so that

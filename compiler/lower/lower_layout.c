@@ -9,6 +9,8 @@ static const double greatest_half = 65504;
 /* The slot as the G-buffer wants it. */
 static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
+    if (slot == SLOT_anisotropy)
+        return lower_stored_anisotropy(l, material, env);
     return slot == SLOT_normal ? lower_stored_normal(l, material, env) : lower_slot(l, material, slot, env);
 }
 

@@ -1,5 +1,6 @@
 /* The material Principled: OpenPBR's parameters to slots. */
 #include "compiler/lower/lower.h"
+#include <math.h>
 
 static Ref color(Lower *l, const Node *m, int param, const Env *env)
 {
@@ -46,6 +47,62 @@ static Ref fuzz(Lower *l, const Node *m, Slot slot, const Env *env)
     return lower_where_there(l->ir, there, slot, value);
 }
 
+/* Of the angle t of x toward y, twice: (cos 2 t, sin 2 t); of none (1, 0). */
+static Ref twice_the_angle(Ir *ir, Ref x, Ref y)
+{
+    const double least = 1e-30;
+    Ref xx = build_square(ir, x), yy = build_square(ir, y), all = build_add(ir, xx, yy);
+    Ref none = build_lt(ir, all, build_float(ir, least)), size = build_max(ir, all, build_float(ir, least));
+    Ref cosine = build_div(ir, build_sub(ir, xx, yy), size), sine = build_div(ir, build_scale(ir, build_mul(ir, x, y), 2), size);
+    return build_select(ir, none, build_vec(ir, TYPE_vec2, build_float(ir, 1), build_float(ir, 0)), build_vec(ir, TYPE_vec2, cosine, sine));
+}
+
+/* Of a vector of the world, whose angle counts from dP/du toward dP/dv. With n = dP/du x dP/dv the vector n x dP/du stands at right angles to dP/du,
+ * and is |n| times as long. */
+static Ref tangent_turn(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref toward = build_call(ir, FN_safeNormalize, color(l, m, P_Principled_tangent, env));
+    Ref du = build_call(ir, FN_safeNormalize, lower_ask(l, NULL, GROUP_DU, env));
+    Ref dv = build_call(ir, FN_safeNormalize, lower_ask(l, NULL, GROUP_DV, env));
+    Ref up = build_cross(ir, du, dv), beside = build_cross(ir, up, du);
+    Ref along = build_mul(ir, build_dot(ir, toward, du), build_length(ir, up));
+    return twice_the_angle(ir, along, build_dot(ir, toward, beside));
+}
+
+static Ref anisotropy(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref strength = build_clamp(ir, red(l, m, P_Principled_anisotropy, env), build_float(ir, 0), build_float(ir, 1));
+    if (ir_is_number(ir, strength, 0))
+        return build_all(ir, TYPE_vec2, 0);
+    Ref twice = build_scale(ir, red(l, m, P_Principled_anisotropyRotation, env), 4 * M_PI);
+    Ref cosine = build_cos(ir, twice), sine = build_sin(ir, twice);
+    Ref turn = build_vec(ir, TYPE_vec2, cosine, sine);
+    if (lower_param_node(m, P_Principled_tangent)) { /* angles add up */
+        Ref own = tangent_turn(l, m, env), x = build_lane(ir, own, 0), y = build_lane(ir, own, 1);
+        Ref real = build_sub(ir, build_mul(ir, x, cosine), build_mul(ir, y, sine));
+        turn = build_vec(ir, TYPE_vec2, real, build_add(ir, build_mul(ir, x, sine), build_mul(ir, y, cosine)));
+    }
+    return build_mul(ir, build_splat(ir, strength, TYPE_vec2), turn);
+}
+
+Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref own = lower_slot(l, material, SLOT_anisotropy, env);
+    if (ir_is(ir, own, OP_const) && ir_numbers(ir, own)[0] == 0 && ir_numbers(ir, own)[1] == 0)
+        return own;
+    Ref normal = lower_stored_normal(l, material, env);
+    Ref du = lower_ask(l, NULL, GROUP_DU, env), dv = lower_ask(l, NULL, GROUP_DV, env);
+    if (l->job->normals == NORMALS_eye) {
+        du = build_call(ir, FN_eyeFromWorld, du);
+        dv = build_call(ir, FN_eyeFromWorld, dv);
+    }
+    ir->origin = ORIGIN_SLOTS + SLOT_anisotropy;
+    return build_call(ir, FN_anisotropyStored, own, normal, du, dv);
+}
+
 Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
@@ -82,6 +139,8 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
     case SLOT_fuzzColor:
     case SLOT_fuzzRoughness:
         return fuzz(l, m, slot, env);
+    case SLOT_anisotropy:
+        return anisotropy(l, m, env);
     default:
         return build_all(ir, slot_table[slot].type, slot_table[slot].absent);
     }

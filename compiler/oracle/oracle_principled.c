@@ -54,6 +54,28 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
     result->lane[SLOT_coatReflectance][0] = own;
 }
 
+/* a (cos 2 t, sin 2 t), t by turns and, if there is one, the tangent's angle from dP/du toward dP/dv. */
+static void set_anisotropy(Environment *environment, const Node *material, SlotValues *result)
+{
+    const double strength = unit(ask_red(environment, material, P_Principled_anisotropy));
+    double turn = 4 * M_PI * ask_red(environment, material, P_Principled_anisotropyRotation), tangent[3], beside[3], m[3];
+    const double *du = &environment->surface->root[channel_id(GROUP_DU, 0)], *dv = &environment->surface->root[channel_id(GROUP_DV, 0)];
+    if (!(strength > 0))
+        return;
+    if (node_param(material, P_Principled_tangent)->kind != VALUE_none) {
+        oracle_ask_colour(environment, material, P_Principled_tangent, tangent);
+        for (int i = 0; i < 3; i++)
+            m[i] = du[(i + 1) % 3] * dv[(i + 2) % 3] - du[(i + 2) % 3] * dv[(i + 1) % 3];
+        for (int i = 0; i < 3; i++)
+            beside[i] = m[(i + 1) % 3] * du[(i + 2) % 3] - m[(i + 2) % 3] * du[(i + 1) % 3];
+        const double along = tangent[0] * du[0] + tangent[1] * du[1] + tangent[2] * du[2];
+        turn += 2 * atan2(tangent[0] * beside[0] + tangent[1] * beside[1] + tangent[2] * beside[2],
+                          along * sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]));
+    }
+    result->lane[SLOT_anisotropy][0] = strength * cos(turn);
+    result->lane[SLOT_anisotropy][1] = strength * sin(turn);
+}
+
 /* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the weight of that as a factor on its colour. */
 void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
 {
@@ -81,6 +103,7 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     result->lane[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
     result->lane[SLOT_reflectance][0] = weight * reflectance_of(ior);
     result->lane[SLOT_model][0] = MODEL_Principled;
+    set_anisotropy(environment, material, result);
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, ior, weight, result);
     const double fuzz = ask_red(environment, material, P_Principled_fuzz);

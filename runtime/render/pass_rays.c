@@ -59,6 +59,7 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
                                           surface_model_more(of, 3),
                                           surface_model_more(of, 4),
                                           surface_model_more(of, 5),
+                                          surface_model_more(of, 6),
                                           defined,
                                           again ? "#define INDIRECT_AGAIN\n" : "",
                                           levels   ? "#define INDIRECT_VOXELS\n#define INDIRECT_LEVELS\n"

@@ -33,7 +33,7 @@
 #include "grammar/layout_tables.h"
 #include "grammar/lobe_table.h"
 
-enum { SURFACE_MODEL_MORE = 6, SURFACE_MODEL_DEFINITIONS = 40 * LOBE_COUNT + 1 };
+enum { SURFACE_MODEL_MORE = 7, SURFACE_MODEL_DEFINITIONS = 40 * LOBE_COUNT + 1 };
 typedef struct {
     const char *name;
     const char *text;

@@ -7,7 +7,7 @@
 //
 // Fresnel's formulas are Schlick's, with white at the horizon; of metal with an edge tint, its reflection at 82 degrees (Hoffman 2019; OpenPBR
 // 1.1). What a layout lacks is as slots.def says of absent slots. Area lights and skies meet a stand-in for the lobe, Phong's, as wide around
-// the mirrored direction, of as much light as GGX sends of light from all around: it is exact where light is the same all around. Before it stands surface_facets.glsl.
+// the mirrored direction, of as much light as GGX sends of light from all around: it is exact where light is the same all around. Before it stand surface_facets.glsl and surface_anisotropic.glsl.
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // the share of what was reflected twice and more, of metal
@@ -15,6 +15,9 @@ struct Lit {
     Gloss facets;
     float metal, alpha, cosine, reflectance, again, kept;
     float lossOfEye, baseOfEye, meanLoss, meanBase; // as it leaves, and in the mean, with what layers let through of both
+#ifdef LIT_ANISOTROPY
+    Anisotropy anisotropy;
+#endif
 #ifdef LIT_COAT
     vec3 coatTint;
     Gloss coatFacets;
@@ -33,6 +36,25 @@ struct Lit {
     vec2 strayOfEye, meanStray;         // below(), of metal and of the dielectric
 #endif
 };
+
+// albedo() of the base, of a direction that has this cosine, and over all that have it.
+vec2 baseAlbedo(Lit m, vec3 v, float cosine)
+{
+#ifdef LIT_ANISOTROPY
+    return albedoAlong(cosine, anisotropyToward(m.anisotropy, v), m.anisotropy);
+#else
+    return albedo(cosine, m.facets);
+#endif
+}
+
+vec2 baseAround(Lit m, float cosine)
+{
+#ifdef LIT_ANISOTROPY
+    return albedoAround(cosine, m.anisotropy);
+#else
+    return albedo(cosine, m.facets);
+#endif
+}
 
 #ifdef LIT_FUZZ
 float fuzzThrough(Lit m, float cosine) { return 1.0 - m.fuzz * fuzzAlbedo(cosine, m.fuzzRough); }
@@ -132,7 +154,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
 #endif
     for (int i = 0; i < 6; i++) {
         float t = i < 3 ? PLACE[i] : 1.0 - PLACE[5 - i], share = 4.0 * WEIGHT[i < 3 ? i : 5 - i] * t * t * t;
-        vec3 own = share * vec3(1.0, albedo(t * t, m.facets));
+        vec3 own = share * vec3(1.0, baseAround(m, t * t));
         mean += own;
 #ifdef LIT_LAYERS
         vec4 layers = below(m, t * t, own.y / share);
@@ -187,6 +209,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.kept = 1.0 - clamp(max(s.transparency.x, max(s.transparency.y, s.transparency.z)), 0.0, 1.0);
 #endif
     m.facets = glossOf(clamp(rough, 0.0316227766, 1.0)); // of floats: a narrower lobe would lie between them
+#ifdef LIT_ANISOTROPY
+    m.anisotropy = anisotropyOf(s.anisotropy, m.normal, m.facets.rough);
+#endif
     m.alpha = m.facets.alpha;
     m.cosine = clamp(dot(m.normal, toEye), 1e-3, 1.0);
 #ifdef LIT_COAT
@@ -198,7 +223,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     vec3 mean, left;
     litMeans(m, mean, left);
 
-    vec2 eye = albedo(m.cosine, m.facets);
+    vec2 eye = baseAlbedo(m, toEye, m.cosine);
     float fresnel = mix(1.0 / 21.0, 1.0, m.reflectance);
     m.again = fresnel * fresnel * (1.0 - mean.y) / (1.0 - fresnel * mean.y);
     m.lossOfEye = eye.x;
@@ -273,8 +298,12 @@ vec3 surfaceLobe(Lit m, vec3 l)
     vec3 between = l + m.toEye;
     vec3 h = between * inversesqrt(max(dot(between, between), 1e-12));
     float facing = clamp(dot(h, l), 0.0, 1.0), rest = 1.0 - facing, rest5 = rest * rest * rest * rest * rest;
+#ifdef LIT_ANISOTROPY
+    float once = facetsAlong(m.anisotropy, m.normal, l, m.toEye, vec2(cosine, m.cosine));
+#else
     float once = facets(m.alpha, m.normal, h, cosine, m.cosine);
-    vec2 own = albedo(cosine, m.facets);
+#endif
+    vec2 own = baseAlbedo(m, l, cosine);
     float again = cosine * own.x * m.lossOfEye / m.meanLoss;
     float matt = cosine * (1.0 - reflectedOf(own, m.reflectance, m.again)) * m.baseOfEye / m.meanBase;
 #ifdef LIT_LAYERS

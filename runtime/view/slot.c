@@ -35,6 +35,7 @@ static const SlotLook looks[SLOT_LOOK_COUNT] = {
     {"fuzz", NUMBER},
     {"fuzzColor", COLOR},
     {"fuzzRoughness", NUMBER},
+    {"anisotropy", NORMAL},
 };
 
 const char *slot_look_name(int i) { return looks[i].name; }

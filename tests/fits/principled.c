@@ -4,6 +4,7 @@
  *     build/tests/fit_principled          # some seconds
  *
  * A row is a power of x, a column one of r. Fits are least squares of `scale` times the polynomial, weighed anew where they are off most. */
+#include "tests/fits/solve.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,25 +40,6 @@ static double error_of(const Fit *fit, const Sample *s)
     return s->share * fabs(pow(fmax(polynomial(fit, s), s->power > 1 ? 0 : -1), s->power) - pow(s->value, s->power));
 }
 
-/* Gauss and Jordan; the last column is the right side. */
-static void eliminate(double a[TERMS][TERMS + 1])
-{
-    for (int k = 0; k < TERMS; k++) {
-        int pivot = k;
-        for (int i = k; i < TERMS; i++)
-            pivot = fabs(a[i][k]) > fabs(a[pivot][k]) ? i : pivot;
-        for (int l = 0; l <= TERMS; l++) {
-            const double held = a[k][l];
-            a[k][l] = a[pivot][l], a[pivot][l] = held;
-        }
-        for (int i = 0; i < TERMS; i++) {
-            const double by = i == k ? 0 : a[i][k] / a[k][k];
-            for (int l = k; l <= TERMS; l++)
-                a[i][l] -= by * a[k][l];
-        }
-    }
-}
-
 static void solve(Fit *fit)
 {
     double a[TERMS][TERMS + 1] = {{0}};
@@ -73,9 +55,9 @@ static void solve(Fit *fit)
     }
     for (int k = 0; k < TERMS; k++)
         a[k][k] += fit->ridge;
-    eliminate(a);
+    solve_equations(a[0], TERMS);
     for (int k = 0; k < TERMS; k++)
-        fit->terms[k] = a[k][TERMS] / a[k][k];
+        fit->terms[k] = a[k][TERMS];
 }
 
 static void run(Fit *fit, const char *name, int steps, double raise)
