@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STORABLE = (1 << SLOT_COUNT) - 1 - (1 << SLOT_alpha), EXHAUSTIVE = 6, DIVISIONS = 300 };
+enum { STORABLE = (1 << SLOT_COUNT) - 1 - (1 << SLOT_alpha), EXHAUSTIVE = 6, DIVISIONS = 1000 };
 
 static unsigned next_random(uint64_t *state)
 {
