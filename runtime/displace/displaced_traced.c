@@ -4,7 +4,8 @@
 #include <stdlib.h>
 
 extern const char render_text_displace_point[], render_text_trace_patch[], render_text_trace_nodes[],
-    render_text_trace_hull[], render_text_trace_vertex[], render_text_trace_fragment[], render_text_parallax_fragment[];
+    render_text_trace_given[], render_text_trace_hull[], render_text_trace_vertex[], render_text_trace_fragment[],
+    render_text_parallax_fragment[];
 
 /* Binding points of the GLSL. */
 enum { HULLS_BINDING = 3, GRID_BINDING = 4, NODES_BINDING = 5, ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS };
@@ -26,6 +27,7 @@ static bool make_programs(const DisplacedMaking *making, DisplacedTrace *trace)
     const ProgramText text = {
         .vertex = {displaced_version, render_text_trace_vertex},
         .fragment = {displaced_version, point, making->displace, render_text_displace_point, render_text_trace_patch,
+                     render_text_trace_given,
                      trace->parallax ? render_text_parallax_fragment : render_text_trace_fragment}};
     const ProgramText levels = {.compute = {displaced_version, render_text_trace_patch, render_text_trace_nodes}},
                       hull = {.compute = {displaced_version, render_text_trace_patch, render_text_trace_hull}};

@@ -2,15 +2,6 @@
 // A step is a part of an edge of the patch long, as far as there are steps: straight on there are four, aslant 32.
 // Beyond the triangle its map goes on as within. Only z counts (trace_patch.glsl): there is no outline but the triangle's, and what leans is as if it stood.
 //     At 60 degrees from the normal, a height of 0.1 either way: the ray runs over 0.35 of the plane, of a patch with an edge of 1 in 32 parts in 12 steps.
-layout(std430, binding = 5) readonly buffer TraceNodes {
-    vec4 trace_nodes[];
-};
-in vec3 trace_leaves;
-flat in vec4 trace_eye;
-flat in mat4 trace_clipFromLocal;
-flat in uint trace_place;
-layout(location = 0) out uvec4 trace_seen;
-
 // How far the ray is above the surface at t: where that has another sign, it is on the other side.
 float parallaxOver(int number, TraceSpace space, vec3 at)
 {
@@ -25,7 +16,7 @@ void main()
     int number = gl_PrimitiveID;
     TraceSpace space = traceSpace(number);
     int node = 2 * traceNode(number, TracePart(0, ivec2(0), false));
-    vec3 way = trace_eye.w > 0.0 ? trace_leaves - trace_eye.xyz : -trace_eye.xyz;
+    vec3 way = traceWay();
     vec3 from = space.inner * (trace_leaves - space.corner), along = space.inner * way;
     float side = along.z < 0.0 ? 1.0 : -1.0; // from above, or from below
     vec2 heights = vec2(trace_nodes[node].w, trace_nodes[node + 1].w) / max(abs(along.z), SLANTED * length(way));
@@ -54,7 +45,5 @@ void main()
         if (abs(here) <= enough)
             break;
     }
-    vec4 clip = trace_clipFromLocal * vec4(trace_leaves + way * t, 1.0);
-    gl_FragDepth = clip.z / clip.w;
-    trace_seen = uvec4(floatBitsToUint((from + along * t).xy), uint(number), trace_place + 1u);
+    traceMeet(number, (from + along * t).xy, trace_leaves + way * t);
 }

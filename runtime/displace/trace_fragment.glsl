@@ -1,16 +1,7 @@
 // Where the ray of a pixel meets a displaced patch: down the pyramid to triangles of a grid, the nearest of them first, and from the one that is met to the surface itself, by matc_displaced().
-// It gives the depth, and what finds that place again: a and b (trace_patch.glsl), the patch and the instance.
 //     A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray meets the triangle, two steps later a point of the surface that is off by less than 1e-7.
-layout(std430, binding = 5) readonly buffer TraceNodes {
-    vec4 trace_nodes[];
-};
-in vec3 trace_leaves;
-flat in vec4 trace_eye;
-flat in mat4 trace_clipFromLocal;
-flat in uint trace_place;
 uniform vec2 trace_pixel;  // of a picture, in clip space
 uniform vec2 trace_offset; // of depth, as glPolygonOffset has it: by the slope, and by the least step
-layout(location = 0) out uvec4 trace_seen;
 
 const int TRACE_STACK = 24; // three of each of at most six levels, and one
 
@@ -30,7 +21,7 @@ TraceRay traceRay()
 {
     TraceRay ray;
     ray.from = trace_leaves;
-    ray.along = trace_eye.w > 0.0 ? trace_leaves - trace_eye.xyz : -trace_eye.xyz;
+    ray.along = traceWay();
     ray.begin = trace_eye.w > 0.0 ? -1.0 : -1e30;
     vec4 from = trace_clipFromLocal * vec4(ray.from, 1.0), along = trace_clipFromLocal * vec4(ray.along, 0.0);
     if (along.z < along.w)
@@ -185,9 +176,7 @@ void main()
     if (hit.t > 0.0)
         discard;
     traceSurface(number, ray, hit);
-    vec4 clip = trace_clipFromLocal * vec4(ray.from + ray.along * hit.t, 1.0);
-    gl_FragDepth = clip.z / clip.w;
+    vec4 clip = traceMeet(number, hit.at, ray.from + ray.along * hit.t);
     if (trace_offset != vec2(0.0))
         gl_FragDepth += traceOffset(number, hit.part, clip);
-    trace_seen = uvec4(floatBitsToUint(hit.at), uint(number), trace_place + 1u);
 }
