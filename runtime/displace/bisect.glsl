@@ -28,7 +28,7 @@ layout(std430, binding = 2) buffer BisectTable {
     uint bisect_table[];
 };
 // A head, and lists of BISECT_LISTS times as many words as there is room for leaves.
-layout(std430, binding = 3) buffer BisectWork {
+layout(std430, binding = 3) coherent buffer BisectWork {
     uint bisect_work[];
 };
 // Corners of leaves, displaced: rows of MeshCaptured, three for each.
@@ -59,7 +59,7 @@ const uint BISECT_BASE = 22u, BISECT_ROW = 17u, BISECT_HEAD = 32u, BISECT_NONE =
 const int BISECT_WHOLE = 65536; // weights of a corner sum up to so many
 // Words of the head.
 const uint HIGH = 0u, FREE = 1u, WANTED = 2u, WANTED_NEXT = 3u, MERGING = 4u, MERGING_NEXT = 5u, CHOSEN = 6u, FULL = 7u, SPLITS = 8u, MERGES = 9u,
-           SWAPPED = 10u, MERGED_ALL = 11u, LOST = 12u, MERGE_ROUNDS = 13u, SPLIT_ROUNDS = 14u, GROUPS = 16u, GROUPS_CHOSEN = 20u;
+           SWAPPED = 10u, MERGED_ALL = 11u, LOST = 12u, MERGE_ROUNDS = 13u, SPLIT_ROUNDS = 14u, DONE = 15u, GROUPS = 16u, GROUPS_CHOSEN = 20u;
 // Lists.
 const uint LIST_FREE = 0u, LIST_FLAGS = 1u, LIST_CHOSEN = 2u, LIST_WANTED = 3u, LIST_MERGING = 5u;
 // Flags of a leaf: its parent may be one, it is to be bisected, it became its parent.

@@ -1,5 +1,5 @@
 // Which leaves are bisected now: all at an edge together, and only those of whom each has it as the edge that is bisected. Where one has not, that one comes first, and so on; what was asked for waits.
-void main()
+void bisectStage()
 {
     uint i = gl_GlobalInvocationID.x, swapped = bisect_work[SWAPPED];
     if (i >= bisect_work[WANTED] || bisect_work[MERGED_ALL] == 0u)

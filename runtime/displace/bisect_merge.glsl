@@ -1,14 +1,20 @@
 // Leaves become their parents: all that have one middle of an edge as their newest corner, if none of these has other leaves, or has to be bisected. First stage: who can, of those that may.
 #ifdef BISECT_CHOOSE
-// Both children of it are leaves, and it need not be bisected.
-bool bisectMay(uint base, uint number)
+// Both children of it are leaves, and it need not be bisected: now; or never, as its first child is a leaf and it has to be; or perhaps when leaves below have merged.
+const int NOW = 0, LATER = 1, NEVER = 2;
+
+int bisectMay(uint base, uint number)
 {
     uint first = bisectFind(base, 2u * number);
-    return first != BISECT_NONE && (bisect_work[bisectWord(LIST_FLAGS, first)] & FLAG_LESS) != 0u &&
-           bisectFind(base, 2u * number + 1u) != BISECT_NONE;
+    if (first == BISECT_NONE)
+        return LATER;
+    if ((bisect_work[bisectWord(LIST_FLAGS, first)] & FLAG_LESS) == 0u)
+        return NEVER;
+    return bisectFind(base, 2u * number + 1u) != BISECT_NONE ? NOW : LATER;
 }
 
-void main()
+// Who can never, since one of its ring has to be bisected, leaves the list: most of those that are there only so that the mesh conforms.
+void bisectStage()
 {
     uint i = gl_GlobalInvocationID.x, swapped = bisect_work[SWAPPED];
     if (i >= bisect_work[MERGING])
@@ -17,20 +23,20 @@ void main()
     Leaf leaf = bisectLeaf(bisect_leaves[slot]);
     uint number = leaf.number >> 1;
     Ring ring = bisectRing(leaf.base, number, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
-    bool may = bisectMay(leaf.base, number);
-    for (uint n = 0u; n < ring.count && may; n++) {
+    int may = bisectMay(leaf.base, number);
+    for (uint n = 0u; n < ring.count && may != NEVER; n++) {
         uint base = leaf.base, other;
         bisectMember(ring, n, base, other);
-        may = bisectMay(base, other);
+        may = max(may, bisectMay(base, other));
     }
-    if (may)
+    if (may == NOW)
         bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_work[CHOSEN], 1u))] = slot;
-    else
+    else if (may == LATER)
         bisect_work[bisectWord(LIST_MERGING + 1u - swapped, atomicAdd(bisect_work[MERGING_NEXT], 1u))] = slot;
 }
 #else
 // Second stage, of each that can: its first child's place is its own from now on, and its second child's is free.
-void main()
+void bisectStage()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i >= bisect_work[CHOSEN])

@@ -1,9 +1,10 @@
 // Between two stages, by one thread: lists that were written are read next, and how many groups of threads that takes. First leaves merge, as long as any can; then others are bisected.
-uniform int bisect_step; // 0: leaves were looked at; 1, 3: of those to merge, to bisect some were chosen; 2, 4: and are done
+// BISECT_STEP: 0: leaves were looked at; 1, 3: of those to merge, to bisect some were chosen; 2, 4: and are done. That is a dispatch of its own after 0; else the last thread of the stage does it,
+// since a dispatch takes a driver longer than a round of few triangles: whoever counts itself in as the last, after all that the others wrote.
 
 uint bisectGroups(uint count)
 {
-    return (count + 63u) / 64u;
+    return max((count + 63u) / 64u, 1u); // one at least: its last thread goes on
 }
 
 void bisectSet(uint groups, uint count)
@@ -12,25 +13,23 @@ void bisectSet(uint groups, uint count)
     bisect_work[groups + 1u] = bisect_work[groups + 2u] = 1u;
 }
 
-void main()
+void bisectNext()
 {
-    if (gl_GlobalInvocationID.x != 0u)
-        return;
     uint chosen = bisect_work[CHOSEN];
-    if (bisect_step == 1 || bisect_step == 3) {
+    if (BISECT_STEP == 1 || BISECT_STEP == 3) {
         uint live = bisect_work[HIGH] - bisect_work[FREE];
-        if (bisect_step == 3 && live + chosen > uint(bisect_room))
+        if (BISECT_STEP == 3 && live + chosen > uint(bisect_room))
             bisect_work[FULL] = 1u;
         bisectSet(GROUPS_CHOSEN, bisect_work[FULL] != 0u ? 0u : chosen);
         return;
     }
     bool merging = bisect_work[MERGED_ALL] == 0u;
-    if (bisect_step == 2 && merging) {
+    if (BISECT_STEP == 2 && merging) {
         bisect_work[MERGES] += chosen;
         bisect_work[MERGE_ROUNDS]++;
         bisect_work[MERGING] = chosen == 0u ? 0u : bisect_work[MERGING_NEXT];
         bisect_work[SWAPPED] ^= 1u;
-    } else if (bisect_step == 4 && !merging && bisect_work[FULL] == 0u) {
+    } else if (BISECT_STEP == 4 && !merging && bisect_work[FULL] == 0u) {
         bisect_work[FREE] = uint(max(int(bisect_work[FREE]), 0));
         bisect_work[SPLITS] += chosen;
         bisect_work[SPLIT_ROUNDS] += uint(chosen != 0u);
@@ -43,4 +42,20 @@ void main()
     }
     bisect_work[CHOSEN] = bisect_work[MERGING_NEXT] = bisect_work[WANTED_NEXT] = 0u;
     bisectSet(GROUPS, bisect_work[FULL] != 0u ? 0u : bisect_work[bisect_work[MERGED_ALL] != 0u ? WANTED : MERGING]);
+}
+
+void main()
+{
+#if BISECT_STEP == 0
+    bool last = gl_GlobalInvocationID.x == 0u;
+#else
+    bisectStage();
+    memoryBarrierBuffer();
+    bool last = atomicAdd(bisect_work[DONE], 1u) == 64u * gl_NumWorkGroups.x - 1u;
+    memoryBarrierBuffer();
+#endif
+    if (last) {
+        bisect_work[DONE] = 0u;
+        bisectNext();
+    }
 }

@@ -143,7 +143,7 @@ void bisectMade(uint slot, Leaf leaf, Corners t)
         bisect_work[bisectWord(LIST_WANTED + 1u - bisect_work[SWAPPED], atomicAdd(bisect_work[WANTED_NEXT], 1u))] = slot;
 }
 
-void main()
+void bisectStage()
 {
     uint i = gl_GlobalInvocationID.x, chosen = bisect_work[CHOSEN];
     if (i >= chosen || bisect_work[FULL] != 0u)

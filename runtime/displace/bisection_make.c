@@ -31,18 +31,26 @@ bool bisection_there(const GlContext *gl)
 static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisection *b)
 {
     static const char point[] = "#define DISPLACE_POINT\n#define DISPLACE_OUT\n";
-    static const char *const texts[] = {render_text_bisect_look, render_text_bisect_merge, render_text_bisect_merge,
-                                        render_text_bisect_choose, render_text_bisect_next};
-    ProgramText split = {.compute = {displaced_version, point, making->displace, render_text_displace_point,
-                                     render_text_bisect, render_text_bisect_split}};
+    static const struct {
+        const char *define, *text, *next;
+    } stages[] = {
+        [BISECTION_LOOK] = {"\n", render_text_bisect_look, ""},
+        [BISECTION_MERGE_CHOOSE] = {"#define BISECT_CHOOSE\n#define BISECT_STEP 1\n", render_text_bisect_merge,
+                                    render_text_bisect_next},
+        [BISECTION_MERGE] = {"#define BISECT_STEP 2\n", render_text_bisect_merge, render_text_bisect_next},
+        [BISECTION_CHOOSE] = {"#define BISECT_STEP 3\n", render_text_bisect_choose, render_text_bisect_next},
+        [BISECTION_NEXT] = {"#define BISECT_STEP 0\n", render_text_bisect_next, ""},
+    };
+    ProgramText split = {.compute = {displaced_version, "#define BISECT_STEP 4\n", point, making->displace,
+                                     render_text_displace_point, render_text_bisect, render_text_bisect_split,
+                                     render_text_bisect_next}};
     ProgramText begin = {.compute = {displaced_version, "#define BISECT_BEGIN\n", point, making->displace,
                                      render_text_displace_point, render_text_bisect, render_text_bisect_split}};
     bool fine = displaced_program(making, &split, &made->material) &&
                 displaced_program(making, &begin, &b->stages[BISECTION_BEGIN]);
     for (int i = 0; fine && i < BISECTION_BEGIN; i++) {
-        const ProgramText text = {.compute = {displaced_version,
-                                              i == BISECTION_MERGE_CHOOSE ? "#define BISECT_CHOOSE\n" : "\n",
-                                              render_text_bisect, texts[i]}};
+        const ProgramText text = {
+            .compute = {displaced_version, stages[i].define, render_text_bisect, stages[i].text, stages[i].next}};
         fine = material_make(making->store, NULL, &text, &b->stages[i]);
     }
     return fine;

@@ -48,13 +48,6 @@ static void dispatch_counted(const Displaced *d, Material *stage, int groups)
     finish(gl);
 }
 
-static void next(const Displaced *d, int step)
-{
-    Bisection *b = d->own;
-    material_set_number(&b->stages[BISECTION_NEXT], "bisect_step", (float)step);
-    dispatch(d, &b->stages[BISECTION_NEXT], 1);
-}
-
 /* The head goes by way of a buffer of its own: what the processor reads or writes itself, a driver may move to the processor's memory. */
 static void copy_head(const Displaced *d, GLuint from, GLuint to)
 {
@@ -89,15 +82,11 @@ static void run_rounds(Displaced *d, int merging, int splitting)
     Bisection *b = d->own;
     for (int i = 0; i < merging; i++) {
         dispatch_counted(d, &b->stages[BISECTION_MERGE_CHOOSE], BISECTION_GROUPS);
-        next(d, 1);
         dispatch_counted(d, &b->stages[BISECTION_MERGE], BISECTION_GROUPS_CHOSEN);
-        next(d, 2);
     }
     for (int i = 0; i < splitting; i++) {
         dispatch_counted(d, &b->stages[BISECTION_CHOOSE], BISECTION_GROUPS);
-        next(d, 3);
         dispatch_counted(d, &d->material, BISECTION_GROUPS_CHOSEN);
-        next(d, 4);
     }
 }
 
@@ -116,7 +105,7 @@ static bool update(Displaced *d, GLuint high)
     finish(gl);
     bisection_set_number(d, "bisect_pixels", d->patches->pixels * exp2(b->coarser / 4.));
     dispatch(d, &b->stages[BISECTION_LOOK], high);
-    next(d, 0);
+    dispatch(d, &b->stages[BISECTION_NEXT], 1);
     b->looks++;
     int merging = b->rounds[0] + 1, splitting = b->rounds[1] + 1;
     do {
