@@ -27,14 +27,20 @@ static inline char *values_at(const char *text, const char *at, char **said)
     return result;
 }
 
-static inline void expect_slot(const char *values, const char *slot, const double *want, int lanes)
+/* Lanes of a slot out of that text; how many there are. */
+static inline int read_slot(const char *values, const char *slot, double got[3])
 {
     char line[64];
-    double got[3] = {NAN, NAN, NAN};
     snprintf(line, sizeof line, "\n%s ", slot);
     const char *found = strstr(values, line);
     assert_non_null(found);
-    assert_int_equal(sscanf(found + strlen(line), "%lf %lf %lf", &got[0], &got[1], &got[2]) >= lanes, 1);
+    return sscanf(found + strlen(line), "%lf %lf %lf", &got[0], &got[1], &got[2]);
+}
+
+static inline void expect_slot(const char *values, const char *slot, const double *want, int lanes)
+{
+    double got[3] = {NAN, NAN, NAN};
+    assert_true(read_slot(values, slot, got) >= lanes);
     for (int i = 0; i < lanes; i++)
         if (!(fabs(got[i] - want[i]) <= CLOSE))
             fail_msg("%s: got %g, want %g\n%s", slot, got[i], want[i], values);

@@ -1,4 +1,4 @@
-/* MaterialX's procedural brick, written as formulas, beside its published graph in C; Standard Surface's edge colour beside OpenPBR's tint. */
+/* MaterialX's procedural brick, written as formulas, beside its published graph in C; its noise beside what its shader prints; Standard Surface's edge colour beside OpenPBR's tint. */
 #include "slot_values.h"
 
 /* -- MaterialX's procedural brick: its pictures are numbers here, its graph is written once as a formula and once in C. */
@@ -65,6 +65,75 @@ static void procedural_brick(void **state)
     }
 }
 
+/* -- MaterialX's noise3d, noise2d and fractal3d of four octaves, printed by its GLSL (libraries/stdlib/genglsl/lib/mx_noise.glsl, 1.39: mx_perlin_noise_float of
+ * three numbers and of two, mx_fractal_noise_float with 4, 2, .5), compiled as C++ in floats */
+
+static const struct {
+    double p[3], noise3, noise2, fractal;
+} noises[] = {
+    {{0.25, 0.5, 0.75}, 0.20869569, 0.22241777, 0.27007070},
+    {{1.29999995, 2.70000005, -0.400000006}, 0.36789167, -0.31387621, 0.31404945},
+    {{-3.125, 4.5, 2.25}, -0.51931888, 0.51962847, -0.51931888},
+    {{10.1000004, -20.2000008, 30.2999992}, -0.04642492, 0.16975424, -0.08661021},
+    {{-100.599998, 55.5, 7.69999981}, 0.32436183, -0.51508743, 0.59122038},
+    {{1000.25, 2000.5, -3000.75}, -0.36298868, -0.49054667, -0.24023868},
+    {{0.100000001, 0.200000003, 0.300000012}, -0.23716526, 0.20206274, -0.19069403},
+    {{-0.899999976, -0.800000012, -0.699999988}, 0.00488579, 0.21488477, -0.01266601},
+    {{5.5, 5.5, 5.5}, -0.12275000, 0.00000000, -0.12275000},
+    {{-1234.5, 0.125, 99.875}, 0.11438922, -0.45684129, 0.04991063},
+    {{16.8999996, 33.0999985, -64.5}, 0.00415242, 0.08537390, 0.21033935},
+    {{2.00999999, 3.99000001, 6.5}, -0.25039816, 0.00662836, -0.25057164},
+};
+
+static void noise_is_that_of_materialx(void **state)
+{
+    (void)state;
+    static const char text[] = "material: Phong\ndiffuse: { map: Noise, octaves: 1 }\nspecular: { map: Noise, octaves: 1, dimensions: 2 }\n"
+                               "emissive: { map: Noise, octaves: 4 }\n";
+    const double bound = 2e-6; /* roundings of theirs; at a coordinate of 1000 they are those of its fraction, which is exact here */
+    double worst = 0;
+    for (size_t i = 0; i < sizeof noises / sizeof *noises; i++) {
+        char at[128];
+        snprintf(at, sizeof at, "x=%.9g y=%.9g z=%.9g", noises[i].p[0], noises[i].p[1], noises[i].p[2]);
+        char *values = values_at(text, at, NULL);
+        const double given[] = {noises[i].noise3, noises[i].noise2, noises[i].fractal};
+        static const char *const slots[] = {"diffuse", "specular", "emissive"};
+        for (int k = 0; k < 3; k++) {
+            double lanes[3] = {0};
+            assert_int_equal(read_slot(values, slots[k], lanes), 3);
+            worst = fmax(worst, fabs(lanes[0] - given[k]));
+        }
+        free(values);
+    }
+    print_message("noise: %.1e from MaterialX's at most\n", worst);
+    assert_true(worst <= bound);
+}
+
+/* Its marble (standard_surface_marble_solid.mtlx), whose graph over its own noise printed these colours. */
+static void marble(void **state)
+{
+    (void)state;
+    static const struct {
+        double p[3], color[3];
+    } rows[] = {
+        {{0.25, 0.5, 0.75}, {0.553611, 0.553611, 0.624008}},
+        {{-0.600000024, 0.300000012, 0.75}, {0.259822, 0.259822, 0.414159}},
+        {{0.800000012, -0.100000001, -0.550000012}, {0.156576, 0.156576, 0.340412}},
+        {{0.0500000007, 0.899999976, -0.400000006}, {0.793114, 0.793114, 0.795081}},
+    };
+    static const char text[] = "material: StandardSurface\nbase: 1\nspecular_roughness: 0.1\nbase_color:\n  map: Expression\n"
+                               "  is: \"mix([.8, .8, .8], [.1, .1, .3], (sin(6 * (p.x + p.y + p.z) + 3 * veins) / 2 + .5)^3)\"\n"
+                               "  with: { veins: { map: Noise, input: { map: XYZTransform, transform: { scale: 4 } } } }\n";
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char at[128];
+        snprintf(at, sizeof at, "x=%.9g y=%.9g z=%.9g", rows[i].p[0], rows[i].p[1], rows[i].p[2]);
+        char *values = values_at(text, at, NULL);
+        expect_slot(values, "diffuse", rows[i].color, 3);
+        expect_slot(values, "roughness", &(double){.1}, 1);
+        free(values);
+    }
+}
+
 /* -- Standard Surface's edge colour of metal (Gulbrandsen 2014) beside OpenPBR's tint at 82 degrees */
 
 static double by_index(double cosine, double n, double k2)
@@ -110,6 +179,7 @@ static void edge_tint_stands_for_edge_colour(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(procedural_brick), cmocka_unit_test(edge_tint_stands_for_edge_colour)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(procedural_brick), cmocka_unit_test(noise_is_that_of_materialx), cmocka_unit_test(marble),
+                                       cmocka_unit_test(edge_tint_stands_for_edge_colour)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
