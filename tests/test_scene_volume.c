@@ -260,9 +260,10 @@ static void few_columns_are_asked_for(void **state)
     for (int cliff = 0; cliff < 2; cliff++) {
         Asked asked = {.cliff = cliff};
         Shape made;
-        double off = 0;
+        double off = 0, steps[2];
         int wall = 0;
-        assert_true(scene_volume(&square, &(SceneVolume){solid_there, &asked, 50, 0}, &made));
+        assert_true(scene_volume(&square, &(SceneVolume){solid_there, &asked, 50, 0}, &made, steps));
+        assert_true(fabs(steps[0] - .08 * (2 + sqrt(2)) / 3) < 1e-9 && steps[1] <= steps[0] && steps[1] > 0);
         for (int i = 0; i < made.vertex_count; i++) {
             const float *p = made.vertices[i].position;
             const double x = (double)p[0] - 2, y = (double)p[1] - 2, z = (double)p[2];

@@ -1,10 +1,9 @@
 /* What runs, in words: the passes and their targets, and what they took. */
 #include "compiler/base/session.h"
-#include "runtime/displace/displaced_traced.h"
+#include "runtime/render/displaced_stats.h"
 #include "runtime/render/frame.h"
 #include "runtime/render/light_far.h"
 #include "runtime/render/soft_views.h"
-#include "runtime/scene/scene_displacement.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -186,57 +185,6 @@ static void put_soft(Text *out, const Render *render)
         text_put(out, "shadow    what is transparent casts none there: its lists are in parts\n");
 }
 
-/* "voxels, edges": what sees triangles where the picture's surface is traced. */
-static void put_grids(Text *out, const Render *render)
-{
-    const ShadowViews *views = &render->shadows.views;
-    bool hybrid = false, traced_maps = false, transparent = false;
-    for (int i = 0; render->plan.there >> FRAME_TARGET_shadow & 1 && i < views->count; i++) {
-        hybrid |= views->views[i].hybrid;
-        traced_maps |= !views->views[i].hybrid;
-    }
-    for (int i = 0; i < render->cache.place_count; i++)
-        transparent |= render->cache.places[i].transparent &&
-                       displaced_traced(&render->cache.displaced[render->cache.places[i].mesh]);
-    const struct {
-        bool there;
-        const char *name;
-    } grids[] = {{render->voxels.map != 0, "voxels"},
-                 {render->plan.there >> FRAME_TARGET_edge & 1, "edges"},
-                 {hybrid, "hybrid shadows"},
-                 {traced_maps && render->scene->displaced_by == WORD_Displacing_parallax, "shadow maps"},
-                 {transparent, "what is transparent"}};
-    const char *comma = "; not so, but its grid's triangles: ";
-    for (size_t i = 0; i < sizeof grids / sizeof *grids; i++)
-        if (grids[i].there) {
-            text_format(out, "%s%s", comma, grids[i].name);
-            comma = ", ";
-        }
-}
-
-/* What was to be traced, and is not. */
-static void put_traced(Text *out, const Render *render)
-{
-    const Cache *cache = &render->cache;
-    const CacheSource source = frame_source(render);
-    int meshes = 0;
-    if (!render->scene->displaced || !scene_displaced_traced(render->scene->displaced_by))
-        return;
-    for (int i = 0; i < cache->mesh_count; i++)
-        meshes += displaced_traced(&cache->displaced[i]) != NULL;
-    text_put(out, "traced    ");
-    if (cache->tracing) {
-        text_format(out, "the surface of %d mesh%s", meshes, meshes == 1 ? "" : "es");
-        put_grids(out, render);
-    } else
-        text_format(out, "none, grids are drawn: %s",
-                    !meshes          ? "it takes OpenGL 4.5, and a height with a bound"
-                    : source.lines   ? "lines are those of triangles"
-                    : source.written ? "exact shadows and silhouettes go by the triangle that a pixel sees"
-                                     : "what is transparent is not traced");
-    text_char(out, '\n');
-}
-
 static void put_memory(Text *out, const Render *render)
 {
     text_format(out, "\n%-8s  %-24s  %s\n", "target", "format", "bytes a pixel");
@@ -264,7 +212,7 @@ static void put_memory(Text *out, const Render *render)
     if (render->samples > 1)
         text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n", render->samples,
                     render->samples);
-    put_traced(out, render);
+    displaced_stats_put(out, render);
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
     if (indirect_is(render))

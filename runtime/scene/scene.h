@@ -32,6 +32,7 @@ typedef struct {
     Shape shape;
     int part;                     /* the file's material whose triangles these are; -1: all triangles of the file */
     struct ScenePatches *patches; /* whoever draws it displaces it: scene_patches.h. NULL: it is as it stands here */
+    double steps[2];              /* of a volume (scene_volume.h), in the world; 0: it is none */
 } SceneMesh;
 
 typedef struct {

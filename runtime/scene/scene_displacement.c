@@ -165,14 +165,14 @@ static bool divide_alike(Mover *mover, const Shape *from, Shape *made)
     return false;
 }
 
-static bool divide(const SceneDisplacing *how, const Shape *from, Shape *made)
+static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mesh)
 {
     Mover mover = {.how = how};
-    *made = (Shape){0};
+    Shape *made = &mesh->shape;
     if (!scene_matrix_invert(&how->world_from_local, &mover.local_from_world))
         return false;
     if (matc_has_volume(how->document, how->material))
-        return scene_volume(from, &(SceneVolume){find_solid, &mover, how->level, how->triangles}, made);
+        return scene_volume(from, &(SceneVolume){find_solid, &mover, how->level, how->triangles}, made, mesh->steps);
     if (how->method != WORD_Displacing_bisection)
         return divide_alike(&mover, from, made);
     const SceneRefining refining = {move_points, &mover, how->triangles, how->seen ? pixels_at : NULL, how->pixels};
@@ -293,7 +293,7 @@ bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMe
     if (!here && scene_displaced_by_driver(how->method, how->pixels) &&
         !divide_to_patches(how, from, &made->shape, &made->patches))
         return false;
-    return made->patches || divide(how, from, &made->shape);
+    return made->patches || divide(how, from, made);
 }
 
 int64_t scene_displaced_triangles(const SceneMesh *mesh)

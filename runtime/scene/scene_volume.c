@@ -21,6 +21,7 @@ typedef struct {
     int *place;
     SceneColumn *columns;
     SceneLayers layers;
+    double width; /* of an edge of the grid, in the mean */
     SceneCells cells;
 } Making;
 
@@ -85,7 +86,7 @@ static void make_layers(Making *m)
                 high = fmax(high, c->heights[k + 1]);
             }
     }
-    double step = way / fmax(along, 1e-30);
+    double step = m->width = way / fmax(along, 1e-30);
     if (!(low < high))
         low = 0, high = 0;
     step = fmin(step, thickness_of(m->columns, m->grid.vertex_count) / LEVELS_OF_THIN);
@@ -310,12 +311,14 @@ static bool put_shape(Making *m, Shape *made)
     return fine;
 }
 
-bool scene_volume(const Shape *from, const SceneVolume *volume, Shape *made)
+bool scene_volume(const Shape *from, const SceneVolume *volume, Shape *made, double steps[2])
 {
     Making m = {.volume = volume};
     *made = (Shape){0};
     const bool fine =
         (volume->parts ? march(&m, from, volume->parts) : march_to(&m, from, volume->triangles)) && put_shape(&m, made);
+    steps[0] = m.width;
+    steps[1] = m.layers.step;
     forget(&m);
     return fine;
 }

@@ -15,6 +15,6 @@ typedef struct {
 
 /* What is solid over a shape, closed where it ends. Pieces and gaps that are thinner than a step may be missed: across, an edge's part of the shape;
  * along the normal no more than that, nor than a quarter of what each pair of heights, and the gap between both, is thick where it is thickest. `base` has what the
- * points stand over. False: *made is empty. */
-bool scene_volume(const Shape *from, const SceneVolume *volume, Shape *made);
+ * points stand over. `steps`: how wide the cells are in the mean, and how high, in units of heights. False: *made is empty. */
+bool scene_volume(const Shape *from, const SceneVolume *volume, Shape *made, double steps[2]);
 #endif

@@ -1,0 +1,81 @@
+#include "runtime/render/displaced_stats.h"
+#include "runtime/displace/displaced_traced.h"
+#include "runtime/scene/scene_displacement.h"
+
+/* "voxels, edges": what sees triangles where the picture's surface is traced. */
+static void put_grids(Text *out, const Render *render)
+{
+    const ShadowViews *views = &render->shadows.views;
+    bool hybrid = false, traced_maps = false, transparent = false;
+    for (int i = 0; render->plan.there >> FRAME_TARGET_shadow & 1 && i < views->count; i++) {
+        hybrid |= views->views[i].hybrid;
+        traced_maps |= !views->views[i].hybrid;
+    }
+    for (int i = 0; i < render->cache.place_count; i++)
+        transparent |= render->cache.places[i].transparent &&
+                       displaced_traced(&render->cache.displaced[render->cache.places[i].mesh]);
+    const struct {
+        bool there;
+        const char *name;
+    } grids[] = {{render->voxels.map != 0, "voxels"},
+                 {render->plan.there >> FRAME_TARGET_edge & 1, "edges"},
+                 {hybrid, "hybrid shadows"},
+                 {traced_maps && render->scene->displaced_by == WORD_Displacing_parallax, "shadow maps"},
+                 {transparent, "what is transparent"}};
+    const char *comma = "; not so, but its grid's triangles: ";
+    for (size_t i = 0; i < sizeof grids / sizeof *grids; i++)
+        if (grids[i].there) {
+            text_format(out, "%s%s", comma, grids[i].name);
+            comma = ", ";
+        }
+}
+
+/* What was to be traced, and is not. */
+static void put_traced(Text *out, const Render *render)
+{
+    const Cache *cache = &render->cache;
+    const CacheSource source = frame_source(render);
+    int meshes = 0;
+    if (!render->scene->displaced || !scene_displaced_traced(render->scene->displaced_by))
+        return;
+    for (int i = 0; i < cache->mesh_count; i++)
+        meshes += displaced_traced(&cache->displaced[i]) != NULL;
+    text_put(out, "traced    ");
+    if (cache->tracing) {
+        text_format(out, "the surface of %d mesh%s", meshes, meshes == 1 ? "" : "es");
+        put_grids(out, render);
+    } else
+        text_format(out, "none, triangles are drawn: %s",
+                    !meshes          ? "it takes OpenGL 4.5, a height with a bound, and no volume"
+                    : source.lines   ? "lines are those of triangles"
+                    : source.written ? "exact shadows and silhouettes go by the triangle that a pixel sees"
+                                     : "what is transparent is not traced");
+    text_char(out, '\n');
+}
+
+/* How fine the cells of volumes are, once for objects in a row that share a mesh. */
+static void put_volumes(Text *out, const Render *render)
+{
+    enum { DIGITS = 2 };
+    const Scene *scene = render->scene;
+    int last = -1;
+    for (int i = 0; i < scene->object_count; i++) {
+        const SceneObject *object = &scene->objects[i];
+        const double *steps = object->kind == SCENE_Mesh ? scene->meshes[object->mesh].steps : NULL;
+        const SceneMaterial *of = &scene->materials[object->material];
+        if (!steps || steps[0] <= 0 || object->mesh == last)
+            continue;
+        last = object->mesh;
+        text_format(out, "volume    %s: what is thinner than ", matc_material_name(of->document, of->index));
+        text_rounded(out, steps[0], DIGITS);
+        text_put(out, " across, or ");
+        text_rounded(out, steps[1], DIGITS);
+        text_put(out, " along the normal, may be missed\n");
+    }
+}
+
+void displaced_stats_put(Text *out, const Render *render)
+{
+    put_traced(out, render);
+    put_volumes(out, render);
+}
