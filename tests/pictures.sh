@@ -89,6 +89,14 @@ for view in volume:volume volumeWireframeAlone:volume-lines; do
     check "and is in docs" test -s "docs/$drawn"
 done
 
+for rounded in hard push:0.42 bulge:0.75; do
+    drawn=${rounded%:*}
+    sed "s/method: bisection/&$(test $drawn = hard || echo ", $drawn: ${rounded#*:}")/" docs/hard.yaml >"$work/$drawn.yaml"
+    [ -z "$update" ] || "$matview" "$work/$drawn.yaml" -o "docs/$drawn.png"
+    check "hard bodies are drawn: $drawn" "$matview" --size=64 "$work/$drawn.yaml" -o "$work/$drawn.png"
+    check "and are in docs" test -s "docs/$drawn.png"
+done
+
 for scene in examples/scenes/*.yaml; do
     shown=$(basename "$scene" .yaml)
     [ -z "$update" ] || "$matview" --size=560 "$scene" -o "docs/gallery/$shown.png"

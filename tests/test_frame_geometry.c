@@ -130,7 +130,8 @@ static void volumes_have_points_for_each_height(void **state)
     (void)state;
     static const char text[] =
         "image: { width: 32, height: 32 }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n"
-        "materials: { m: { material: Phong, emissive: 1, displacementVolume: \"= [.1 * u, .3, .5 + .2 * v, v > .45 ? .9 : .2]\", displacementBound: 1 } }\n"
+        "materials: { m: { material: Phong, emissive: 1, displacementVolume: \"= [.1 * u, .3, .5 + .2 * v, v > .45 ? "
+        ".9 : .2]\", displacementBound: 1 } }\n"
         "displacement: { method: points, level: 6 }\nlights: []\nobjects:\n"
         "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m }\n";
     enum { POINTS = 2 * 28, UPPER = 4 + 5 + 6 + 7 + 1 + 2 + 3 + 4 };
@@ -140,23 +141,28 @@ static void volumes_have_points_for_each_height(void **state)
     Scene *scene = frame_scene(text, &options, &document);
     double worst = 0, turned = 0;
     int of_height[4] = {0};
-    free(frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
+    free(frame_floats(gl, scene,
+                      &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
     const Shape *shape = shape_of(scene);
     for (int first = 0; first + 6 <= shape->index_count; first += 6) {
-        const ShapeVertex *v = &shape->vertices[shape->indices[first]], *across = &shape->vertices[shape->indices[first + 5]];
+        const ShapeVertex *v = &shape->vertices[shape->indices[first]],
+                          *across = &shape->vertices[shape->indices[first + 5]];
         const double *known = NULL;
-        const double heights[4] = {.1 * v->uv[0], .3, .5 + .2 * v->uv[1], .9}, z = ((double)v->position[2] + across->position[2]) / 2;
+        const double heights[4] = {.1 * v->uv[0], .3, .5 + .2 * v->uv[1], .9},
+                     z = ((double)v->position[2] + across->position[2]) / 2;
         static const double slopes[4][3] = {{.05, 0, -1}, {0, 0, 1}, {0, .1, -1}, {0, 0, 1}};
         for (int k = 0; k < 4; k++)
             if (!known || fabs(heights[k] - z) < fabs(*known - z))
                 known = &heights[k];
-        const double *slope = slopes[known - heights], size = sqrt(slope[0] * slope[0] + slope[1] * slope[1] + slope[2] * slope[2]);
+        const double *slope = slopes[known - heights],
+                     size = sqrt(slope[0] * slope[0] + slope[1] * slope[1] + slope[2] * slope[2]);
         of_height[known - heights]++;
         worst = fmax(worst, fabs(*known - z));
         for (int k = 0; k < 3; k++)
             turned = fmax(turned, fabs((double)v->normal[k] - slope[k] / size));
     }
-    print_message("%d, %d, %d and %d points, off by %.2g, normals by %.2g\n", of_height[0], of_height[1], of_height[2], of_height[3], worst, turned);
+    print_message("%d, %d, %d and %d points, off by %.2g, normals by %.2g\n", of_height[0], of_height[1], of_height[2],
+                  of_height[3], worst, turned);
     assert_true(of_height[0] == POINTS && of_height[1] == POINTS && of_height[2] == UPPER && of_height[3] == UPPER);
     assert_true(worst < 1e-5 && turned < 1e-3);
     frame_forget(scene, document);
@@ -189,9 +195,9 @@ static void a_cube_becomes_a_ball(void **state)
 {
     (void)state;
     static const char *const methods[] = {"grid, level: 8", "tessellation, level: 8", "geometry, level: 8",
-                                          "feedback, near: 1e9, steps: 3"};
+                                          "feedback, near: 1e9, steps: 3", "bisection, pixels: 0.5, triangles: 2000"};
     GlContext *gl = frame_context();
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 2 * (int)(sizeof methods / sizeof *methods); i++) {
         char how[80];
         MatcDocument *document;
         Scene *scene;
@@ -208,6 +214,7 @@ static void a_cube_becomes_a_ball(void **state)
         }
         print_message("%s: off a ball by %.2g, the middle of a face at %.6f\n", how, worst, middle);
         assert_true(i % 2 ? worst > .1 && fabs(middle - 4. / 3) < 1e-5 : worst < 1e-5);
+        assert_true(i / 2 < 4 || (shape->index_count > 3 * 100 && shape->index_count <= 3 * 2000)); /* it refined */
         assert_true(i / 2 == 3 || shape_body(shape) != SHAPE_BODY_none);
         frame_forget(scene, document);
     }

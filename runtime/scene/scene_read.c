@@ -124,7 +124,7 @@ static void read_displacement(SceneReader *r, Tree *tree)
     else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
     else if ((dividing->push != 0 || dividing->bulge > 0) &&
-             (method == WORD_Displacing_mesh || method == WORD_Displacing_bisection))
+             !scene_displaced_by_driver(method, r->scene->displaced_pixels))
         diag_add(r->session, scene_thing_span(&thing, dividing->push != 0 ? S_Displacement_push : S_Displacement_bulge),
                  DIAG_scene_rounded, word_table[method].name);
     else if (!has_skirts(method, dividing->skirts))
