@@ -16,6 +16,7 @@
 
 static const double PI = 3.14159265358979323846;
 enum { SIDE = 20 };
+extern const char render_text_light_area[];
 
 /* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on. */
 static const char head[] =
@@ -66,6 +67,20 @@ static const char turned[] =
 static const char around[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(made(vec3(1.0), vec3(1.0), vec3(varied(p, 0.733), roughOf(p), 0.3)), toward(cosineOf(p), 0.0)); "
     "return vec4(surfaceAmbient(m, vec3(1.0)), 1.0); }\n";
+
+/* Of a parallelogram of radiance 1 around a direction near the mirrored one: areaOfSide() by what stands for the facets, and by Phong's lobe that is as wide. */
+static const char areas[] =
+    "vec4 passPixel(ivec2 p) {\n"
+    "    vec3 v = toward(cosineOf(p), 0.0), n = vec3(0.0, 0.0, 1.0), to = toward(clamp(v.z + 0.5 * (varied(p, 0.618) - 0.5), 0.05, 1.0), 3.14159265 + 2.0 * (varied(p, 0.382) - 0.5));\n"
+    "    float rough = 0.1 + 0.9 * float(p.y) / (SIDE - 1.0), size = exp(1.5 - 3.5 * varied(p, 0.733));\n"
+    "    vec3 x = normalize(cross(to, vec3(0.3, 0.8, 0.52))), y = cross(to, x);\n"
+    "    Area light = areaSeen(to - size * (x + 0.6 * y), 2.0 * size * x, 1.2 * size * y, true);\n"
+    "    AreaSide side = areaPowers(n, vec3(0.0), vec3(1.0), n, n, -1.0);\n"
+    "    side.into = areaFacets(rough, n, v);\n"
+    "    side.even = vec3(1.0);\n"
+    "    float exponent = clamp(0.5 / pow(rough, 4.0) - 0.5, 0.0, 65504.0);\n"
+    "    AreaSide other = areaPowers(n, vec3(0.0), vec3(0.5 * exponent + 1.0), reflect(-v, n), reflect(-v, n), exponent);\n"
+    "    return vec4(areaOfSide(light, side).x, areaOfSide(light, other).x, 0.0, 1.0); }\n";
 
 static void run_texts(GlContext *gl, const char *const texts[6], float (*said)[4])
 {
@@ -233,6 +248,55 @@ static void light_and_eye_change_places(void **state)
     lobe_is_white_around(said, SIDE * SIDE);
 }
 
+/* The share of all that GGX sends that comes from the parallelogram, by visible facets (Heitz 2018). */
+static double share_of_area(int i)
+{
+    enum { RINGS = 192 };
+    const double cosine = .1 + .9 * (i % SIDE) / (SIDE - 1), a = pow(.1 + .9 * (i / SIDE) / (SIDE - 1), 2), size = exp(1.5 - 3.5 * varied(i, .733));
+    const double z = fmin(fmax(cosine + .5 * (varied(i, .618) - .5), .05), 1), turn = PI + 2 * (varied(i, .382) - .5), flat = sqrt(1 - z * z);
+    const double to[3] = {flat * cos(turn), flat * sin(turn), z}, vx = sqrt(fmax(1 - cosine * cosine, 0)), w = hypot(a * vx, cosine), wx = a * vx / w, wz = cosine / w;
+    double x[3] = {.52 * to[1] - .8 * to[2], .3 * to[2] - .52 * to[0], .8 * to[0] - .3 * to[1]}, seen = 0, all = 0;
+    const double length = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    for (int k = 0; k < 3; k++)
+        x[k] /= length;
+    const double y[3] = {to[1] * x[2] - to[2] * x[1], to[2] * x[0] - to[0] * x[2], to[0] * x[1] - to[1] * x[0]};
+    for (int k = 0; k < RINGS * RINGS; k++) {
+        const double r = sqrt((k / RINGS + .5) / RINGS), f = 2 * PI * (k % RINGS + .5) / RINGS, t = r * cos(f), half = .5 + .5 * wz;
+        const double s = (1 - half) * sqrt(fmax(1 - t * t, 0)) + half * r * sin(f), up = sqrt(fmax(1 - t * t - s * s, 0));
+        double h[3] = {a * (s * -wz + up * wx), a * t, fmax(s * wx + up * wz, 0)};
+        const double steep = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]), facing = (vx * h[0] + cosine * h[2]) / steep;
+        const double l[3] = {2 * facing * h[0] / steep - vx, 2 * facing * h[1] / steep, 2 * facing * h[2] / steep - cosine};
+        if (l[2] <= 0)
+            continue;
+        const double eye = sqrt(a * a + (1 - a * a) * cosine * cosine), light = sqrt(a * a + (1 - a * a) * l[2] * l[2]);
+        const double share = l[2] * (cosine + eye) / (cosine * light + l[2] * eye), front = l[0] * to[0] + l[1] * to[1] + l[2] * to[2];
+        const bool inside = front > 0 && fabs(l[0] * x[0] + l[1] * x[1] + l[2] * x[2]) < size * front && fabs(l[0] * y[0] + l[1] * y[1] + l[2] * y[2]) < .6 * size * front;
+        all += share;
+        seen += inside ? share : 0;
+    }
+    return seen / all;
+}
+
+static void parallelograms_are_integrals(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst[2] = {0}, squares[2] = {0};
+    GlContext *gl = frame_context();
+    run_texts(gl, (const char *const[]){head, render_text_light_area, surface_model_principled.text, tools, areas, NULL}, said);
+    gl_close(gl);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const double want = share_of_area(i);
+        for (int k = 0; k < 2; k++) {
+            const double error = fabs((double)said[i][k] - want);
+            worst[k] = fmax(worst[k], error);
+            squares[k] += error * error / (SIDE * SIDE);
+        }
+    }
+    print_message("parallelograms: within %.3f, root of the mean square %.4f; Phong's lobes %.3f, %.4f\n", worst[0], sqrt(squares[0]), worst[1], sqrt(squares[1]));
+    assert_true(worst[0] < .1 && sqrt(squares[0]) < .02);
+}
+
 /* The text that matc writes for a layout, the lobe, and no more. */
 static void stands_behind_unpacking(void **state)
 {
@@ -265,6 +329,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(albedos_are_fitted), cmocka_unit_test(lobes_are_microfacets),
                                        cmocka_unit_test(white_sends_all), cmocka_unit_test(light_and_eye_change_places),
-                                       cmocka_unit_test(stands_behind_unpacking)};
+                                       cmocka_unit_test(parallelograms_are_integrals), cmocka_unit_test(stands_behind_unpacking)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -152,19 +152,40 @@ float areaLobe(Area area, vec3 normal, vec3 w, float exponent)
     return max(sum, 0.0) / ((exponent + 2.0) * AREA_PI);
 }
 
-// What a surface sends of light that arrives on one side of it: evenly, and around an axis, the cosine's power counted in. A model gives it (surface_model.h),
-// so that the code of the integrals above stands in a program once.
+// The polygon in other directions: each times a matrix. What of it is above their horizon.
+Area areaInto(Area area, mat3 into)
+{
+    float longest = 0.0, nearest = 1e30;
+    for (int i = 0; i < area.count; i++) area.corners[i] = into * area.corners[i];
+    for (int i = 0; i < area.count; i++) {
+        longest = max(longest, distance(area.corners[i], area.corners[i + 1 < area.count ? i + 1 : 0]));
+        nearest = min(nearest, length(area.corners[i]));
+    }
+    area.width = 2.0 * longest / max(nearest, 1e-30);
+    return areaClip(area, vec3(0.0, 0.0, 1.0));
+}
+
+// What a surface sends of light that arrives on one side of it: evenly, and around an axis, the cosine's power counted in; or, where the exponent is below 0, evenly of
+// directions times a matrix. A model gives it (surface_model.h), so that the code of the integrals above stands in a program once.
 struct AreaSide {
-    vec3 normal, even;      // the side, and the share that it sends evenly
+    vec3 normal, even;        // the side, and the share that it sends evenly
     vec3 gloss, axis, across; // the lobe: gloss max(axis.l, 0)^exponent across.l
     float exponent;
+    mat3 into; // read where that is below 0: turned so that the side's normal is z, or a lobe's directions
 };
+
+AreaSide areaPowers(vec3 normal, vec3 even, vec3 gloss, vec3 axis, vec3 across, float exponent)
+{
+    return AreaSide(normal, even, gloss, axis, across, exponent, mat3(1.0));
+}
 
 vec3 areaOfSide(Area light, AreaSide side)
 {
-    Area part = areaClip(light, side.normal);
+    bool into = side.exponent < 0.0;
+    Area part = areaClip(light, side.normal), seen = part;
+    if (into) seen = areaInto(part, side.into);
     vec3 sum = vec3(0.0);
-    if (any(greaterThan(side.even, vec3(0.0)))) sum = side.even * areaCosine(part, side.normal);
-    if (any(greaterThan(side.gloss, vec3(0.0)))) sum += side.gloss * areaLobe(part, side.across, side.axis, side.exponent);
+    if (any(greaterThan(side.even, vec3(0.0)))) sum = side.even * areaCosine(seen, into ? vec3(0.0, 0.0, 1.0) : side.normal);
+    if (!into && any(greaterThan(side.gloss, vec3(0.0)))) sum += side.gloss * areaLobe(part, side.across, side.axis, side.exponent);
     return sum;
 }

@@ -103,9 +103,9 @@ vec3 surfaceHemisphere(Lit m)
 int surfaceAreaSides(Lit m) { return surfaceLetsThrough(m) ? 2 : 1; }
 AreaSide surfaceAreaSide(Lit m, int i)
 {
-    if (i == 0) return AreaSide(m.normal, m.diffuse, m.specular, m.reflected, m.normal, m.shininess);
+    if (i == 0) return areaPowers(m.normal, m.diffuse, m.specular, m.reflected, m.normal, m.shininess);
     vec3 on = reflect(m.reflected, m.normal);
-    return AreaSide(-m.normal, m.behind, m.through, on, on, max(m.straightness - 1.0, 0.0));
+    return areaPowers(-m.normal, m.behind, m.through, on, on, max(m.straightness - 1.0, 0.0));
 }
 
 vec3 surfaceArea(Lit m, Area light)

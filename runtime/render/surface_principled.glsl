@@ -6,8 +6,8 @@
 // direction is 1 - E(its cosine), and what leaves it 1 - E(1) = 0.96: over all directions a white base sends 0.96, and together that is 1.
 //
 // Fresnel's formulas are Schlick's, with white at the horizon; of metal with an edge tint, its reflection at 82 degrees (Hoffman 2019; OpenPBR
-// 1.1). What a layout lacks is as slots.def says of absent slots. Area lights and skies meet a stand-in for the lobe, Phong's, as wide around
-// the mirrored direction, of as much light as GGX sends of light from all around: it is exact where light is the same all around. Before it stand surface_facets.glsl and surface_anisotropic.glsl.
+// 1.1). What a layout lacks is as slots.def says of absent slots. Skies meet a stand-in for the lobe, Phong's, as wide around the mirrored direction, area lights
+// linearly transformed cosines, both of as much light as GGX sends of light from all around. Before it stand surface_facets.glsl and surface_anisotropic.glsl.
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // the share of what was reflected twice and more, of metal
@@ -17,6 +17,9 @@ struct Lit {
     float lossOfEye, baseOfEye, meanLoss, meanBase; // as it leaves, and in the mean, with what layers let through of both
 #ifdef LIT_ANISOTROPY
     Anisotropy anisotropy;
+#endif
+#ifdef LIGHT_HAS_AREAS
+    mat3 glossInto, coatInto; // areaFacets()
 #endif
 #ifdef LIT_COAT
     vec3 coatTint;
@@ -84,6 +87,9 @@ void litCoat(Surface s, inout Lit m)
 #endif
     m.coatFacets = glossOf(clamp(rough, 0.0316227766, 1.0));
     m.coatAlpha = m.coatFacets.alpha;
+#ifdef LIGHT_HAS_AREAS
+    m.coatInto = areaFacets(m.coatFacets.rough, m.normal, m.toEye);
+#endif
     m.coatOfEye = coatThrough(m, m.cosine);
     m.coatMean = 0.0;
     m.coatGloss = m.kept * (1.0 - m.coatOfEye);
@@ -214,6 +220,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     m.alpha = m.facets.alpha;
     m.cosine = clamp(dot(m.normal, toEye), 1e-3, 1.0);
+#ifdef LIGHT_HAS_AREAS
+    m.glossInto = areaFacets(m.facets.rough, m.normal, toEye);
+#endif
 #ifdef LIT_COAT
     litCoat(s, m);
 #endif
@@ -365,33 +374,27 @@ vec3 surfaceHemisphere(Lit m) { return m.even * hemisphereMatt(m.normal) + gloss
 int surfaceAreaSides(Lit m)
 {
 #ifdef LIT_COAT
-    return m.coatGloss > 0.0 ? 2 : 1;
-#else
-    return 1;
+    if (m.coatGloss > 0.0) return 3;
 #endif
+    return 2;
 }
 
-// What it sends evenly and what the base reflects; then what the coat reflects.
+// What it sends evenly, what the base reflects, what the coat reflects.
 AreaSide surfaceAreaSide(Lit m, int i)
 {
-    vec3 even = m.even, gloss = m.gloss;
-    float alpha = m.alpha;
+    AreaSide side = areaPowers(m.normal, i == 0 ? m.even : m.gloss, vec3(0.0), m.normal, m.normal, i == 0 ? 0.0 : -1.0);
+    side.into = m.glossInto;
 #ifdef LIT_COAT
-    if (i == 1) {
-        even = vec3(0.0);
-        gloss = vec3(m.coatGloss);
-        alpha = m.coatAlpha;
-    }
+    if (i == 2) side.even = vec3(m.coatGloss);
+    if (i == 2) side.into = m.coatInto;
 #endif
-    float exponent = standInExponent(alpha);
-    return AreaSide(m.normal, even, gloss * (0.5 * exponent + 1.0), m.reflected, m.reflected, exponent);
+    return side;
 }
 
 vec3 surfaceArea(Lit m, Area light)
 {
     vec3 sum = vec3(0.0);
-    int sides = surfaceAreaSides(m);
-    for (int i = 0; i < sides; i++) sum += areaOfSide(light, surfaceAreaSide(m, i));
+    for (int i = 0; i < surfaceAreaSides(m); i++) sum += areaOfSide(light, surfaceAreaSide(m, i));
     return sum;
 }
 #endif
