@@ -62,8 +62,8 @@ const uint HIGH = 0u, FREE = 1u, WANTED = 2u, WANTED_NEXT = 3u, MERGING = 4u, ME
            SWAPPED = 10u, MERGED_ALL = 11u, LOST = 12u, MERGE_ROUNDS = 13u, SPLIT_ROUNDS = 14u, DONE = 15u, GROUPS = 16u, GROUPS_CHOSEN = 20u;
 // Lists.
 const uint LIST_FREE = 0u, LIST_FLAGS = 1u, LIST_CHOSEN = 2u, LIST_WANTED = 3u, LIST_MERGING = 5u;
-// Flags of a leaf: its parent may be one, it is to be bisected, it became its parent.
-const uint FLAG_LESS = 1u, FLAG_CHOSEN = 2u, FLAG_MERGED = 4u;
+// Flags of a leaf: its parent may be one, it is to be bisected, it became its parent, it is in the list of those that are asked next.
+const uint FLAG_LESS = 1u, FLAG_CHOSEN = 2u, FLAG_MERGED = 4u, FLAG_ASKED = 8u;
 
 uint bisectWord(uint list, uint i)
 {

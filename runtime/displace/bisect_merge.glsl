@@ -1,19 +1,14 @@
 // Leaves become their parents: all that have one middle of an edge as their newest corner, if none of these has other leaves, or has to be bisected. First stage: who can, of those that may.
 #ifdef BISECT_CHOOSE
-// Both children of it are leaves, and it need not be bisected: now; or never, as its first child is a leaf and it has to be; or perhaps when leaves below have merged.
-const int NOW = 0, LATER = 1, NEVER = 2;
-
-int bisectMay(uint base, uint number)
+// Both children of it are leaves, and it need not be bisected.
+bool bisectMay(uint base, uint number)
 {
     uint first = bisectFind(base, 2u * number);
-    if (first == BISECT_NONE)
-        return LATER;
-    if ((bisect_work[bisectWord(LIST_FLAGS, first)] & FLAG_LESS) == 0u)
-        return NEVER;
-    return bisectFind(base, 2u * number + 1u) != BISECT_NONE ? NOW : LATER;
+    return first != BISECT_NONE && (bisect_work[bisectWord(LIST_FLAGS, first)] & FLAG_LESS) != 0u &&
+           bisectFind(base, 2u * number + 1u) != BISECT_NONE;
 }
 
-// Who can never, since one of its ring has to be bisected, leaves the list: most of those that are there only so that the mesh conforms.
+// Who cannot leaves the list. It is asked again when another of its ring has become a leaf, and else never.
 void bisectStage()
 {
     uint i = gl_GlobalInvocationID.x, swapped = bisect_work[SWAPPED];
@@ -23,19 +18,33 @@ void bisectStage()
     Leaf leaf = bisectLeaf(bisect_leaves[slot]);
     uint number = leaf.number >> 1;
     Ring ring = bisectRing(leaf.base, number, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
-    int may = bisectMay(leaf.base, number);
-    for (uint n = 0u; n < ring.count && may != NEVER; n++) {
+    bool may = bisectMay(leaf.base, number);
+    for (uint n = 0u; n < ring.count && may; n++) {
         uint base = leaf.base, other;
         bisectMember(ring, n, base, other);
-        may = max(may, bisectMay(base, other));
+        may = bisectMay(base, other);
     }
-    if (may == NOW)
+    bisect_work[bisectWord(LIST_FLAGS, slot)] &= ~FLAG_ASKED;
+    if (may)
         bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_work[CHOSEN], 1u))] = slot;
-    else if (may == LATER)
-        bisect_work[bisectWord(LIST_MERGING + 1u - swapped, atomicAdd(bisect_work[MERGING_NEXT], 1u))] = slot;
 }
 #else
 // Second stage, of each that can: its first child's place is its own from now on, and its second child's is free.
+void bisectAsk(uint slot)
+{
+    bisect_work[bisectWord(LIST_MERGING + 1u - bisect_work[SWAPPED], atomicAdd(bisect_work[MERGING_NEXT], 1u))] = slot;
+}
+
+// That triangle's first child, where it is a leaf that waits for others, is asked next; once, whoever says so.
+void bisectAskAgain(uint base, uint number)
+{
+    uint first = bisectFind(base, 2u * number);
+    if (first == BISECT_NONE || (bisect_work[bisectWord(LIST_FLAGS, first)] & FLAG_LESS) == 0u)
+        return;
+    if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, first)], FLAG_ASKED) & FLAG_ASKED) == 0u)
+        bisectAsk(first);
+}
+
 void bisectStage()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -53,17 +62,26 @@ void bisectStage()
         bisect_rows[at + 2u * BISECT_ROW] = c;
         bisect_rows[from + BISECT_ROW] = bisect_rows[from + 2u * BISECT_ROW] = bisect_rows[from]; // it has no area
     }
+    Corners t = bisectCorners(leaf.base, leaf.number), parent = bisectParent(leaf.number, t);
+    bool even = (leaf.number & 1u) == 0u,
+         less = leaf.number > 1u && even && !bisectWants(leaf.base, leaf.number >> 1, parent, leaf.behind);
     bisect_leaves[slot] = bisectPack(leaf);
     bisect_leaves[other] = uvec2(0u);
-    bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_work[FREE], 1u))] = other;
-    bisectInsert(bisectId(leaf.base, leaf.number), slot);
-    uint flags = FLAG_MERGED;
-    if (leaf.number > 1u && (leaf.number & 1u) == 0u &&
-        !bisectWants(leaf.base, leaf.number >> 1, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)), leaf.behind)) {
-        flags |= FLAG_LESS;
-        bisect_work[bisectWord(LIST_MERGING + 1u - bisect_work[SWAPPED], atomicAdd(bisect_work[MERGING_NEXT], 1u))] = slot;
-    }
-    bisect_work[bisectWord(LIST_FLAGS, slot)] = flags;
+    bisect_work[bisectWord(LIST_FLAGS, slot)] = FLAG_MERGED | (less ? FLAG_LESS | FLAG_ASKED : 0u);
     bisect_work[bisectWord(LIST_FLAGS, other)] = FLAG_MERGED;
+    bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_work[FREE], 1u))] = other;
+    memoryBarrierBuffer(); // who finds it has its flags
+    bisectInsert(bisectId(leaf.base, leaf.number), slot);
+    if (less)
+        bisectAsk(slot);
+    if (leaf.number == 1u || (even && !less))
+        return; // nobody waits for it: its ring stays
+    bisectAskAgain(leaf.base, leaf.number >> 1);
+    Ring ring = bisectRing(leaf.base, leaf.number >> 1, parent);
+    for (uint n = 0u; n < ring.count; n++) {
+        uint base = leaf.base, number;
+        bisectMember(ring, n, base, number);
+        bisectAskAgain(base, number);
+    }
 }
 #endif
