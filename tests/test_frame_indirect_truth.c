@@ -43,7 +43,7 @@ static void methods_against_rays(void **state)
             char text[TEXT];
             MatcDocument *document;
             snprintf(text, sizeof text, "image: { width: %d, height: %d }\nindirect: { radius: %g, %s }\n%s", EDGE,
-                     EDGE, radii[light], methods[i].keys, indirect_truth_box);
+                     EDGE, radii[light], methods[i].keys, indirect_scenes_box);
             Scene *scene = frame_scene(text, &options, &document);
             if (i == 0)
                 indirect_truth_find(scene, &(OpenRays){.across = light ? 24 : 32, .radius = radii[light], .bounces = 1},
@@ -80,7 +80,7 @@ static void bounces_and_samples(void **state)
         char text[TEXT];
         MatcDocument *document;
         snprintf(text, sizeof text, "image: { width: %d, height: %d }\nindirect: { radius: %g, %s }\n%s", EDGE, EDGE,
-                 i ? .5 : 4., cases[i].keys, indirect_truth_box);
+                 i ? .5 : 4., cases[i].keys, indirect_scenes_box);
         Scene *scene = frame_scene(text, &options, &document);
         indirect_truth_find(scene,
                             &(OpenRays){.across = cases[i].across, .radius = i ? .5 : 4, .bounces = cases[i].bounces},

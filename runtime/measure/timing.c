@@ -1,5 +1,6 @@
 /* How long draws last. */
 #include "runtime/measure/meter.h"
+#include "runtime/gl/clock.h"
 #include "runtime/gl/message.h"
 #include <stdlib.h>
 #include <time.h>
@@ -32,20 +33,11 @@ static void repeat(const GlContext *gl, const Field *field, int repeats)
         field_draw(gl, field);
 }
 
-/* A software renderer's GPU clock is the wall clock, at best. */
-static bool has_clock(const GlContext *gl) { return gl->hardware && gl->GetQueryObjectui64v; }
-
 static double seconds_by_gpu(const GlContext *gl, const Field *field, int repeats)
 {
-    GLuint query = 0;
-    GLuint64 nanoseconds = 0;
-    gl->GenQueries(1, &query);
-    gl->BeginQuery(GL_TIME_ELAPSED, query);
+    const GLuint query = gl_clock_start(gl);
     repeat(gl, field, repeats);
-    gl->EndQuery(GL_TIME_ELAPSED);
-    gl->GetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds); /* waits */
-    gl->DeleteQueries(1, &query);
-    return (double)nanoseconds * 1e-9;
+    return gl_clock_stop(gl, query);
 }
 
 static double seconds_by_wall(const GlContext *gl, const Field *field, int repeats)
@@ -60,7 +52,7 @@ static double seconds_by_wall(const GlContext *gl, const Field *field, int repea
 static double time_once(Meter *m, const MeterDraw *draw, int repeats)
 {
     meter_use(m, draw, (float[2]){0, 0});
-    return has_clock(m->gl) ? seconds_by_gpu(m->gl, draw->field, repeats)
+    return gl_clock_is(m->gl) ? seconds_by_gpu(m->gl, draw->field, repeats)
                             : seconds_by_wall(m->gl, draw->field, repeats);
 }
 

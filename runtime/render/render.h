@@ -104,7 +104,7 @@ bool render_lacks_view(const Render *render);
 /* Warnings of the scene's programs, with their places. From malloc. */
 char *render_diagnostics(const Render *render);
 
-/* What a pass took, drawn once more and finished; 0: it does not run. */
+/* What a pass took, drawn once more: by the driver's clock where it has one (clock.h), else until it was finished; 0: it does not run. */
 typedef struct {
     const char *name;
     double seconds;

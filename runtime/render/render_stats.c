@@ -1,5 +1,6 @@
 /* What runs, in words: the passes and their targets, and what they took. */
 #include "compiler/base/session.h"
+#include "runtime/gl/clock.h"
 #include "runtime/render/displaced_stats.h"
 #include "runtime/render/frame.h"
 #include "runtime/render/light_far.h"
@@ -267,19 +268,27 @@ char *render_diagnostics(const Render *render)
     return finish(&out);
 }
 
+static double time_pass(Render *render, int pass)
+{
+    const bool clock = gl_clock_is(render->gl);
+    const GLuint query = clock ? gl_clock_start(render->gl) : 0;
+    const double start = session_now();
+    frame_passes[pass].draw(render);
+    if (clock)
+        return gl_clock_stop(render->gl, query);
+    render->gl->Finish();
+    return session_now() - start;
+}
+
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 {
     render->gl->Finish();
     render->shadows.drawn = render->exact.seen = render->voxels.drawn = render->radiance.drawn =
         false; /* to be timed with the others */
     for (int i = 0; i < frame_pass_count(); i++) {
-        const double start = session_now();
         times[i] = (RenderPassTime){frame_passes[i].plan.name, 0};
-        if (!(render->plan.runs >> i & 1))
-            continue;
-        frame_passes[i].draw(render);
-        render->gl->Finish();
-        times[i].seconds = session_now() - start;
+        if (render->plan.runs >> i & 1)
+            times[i].seconds = time_pass(render, i);
     }
     return frame_pass_count();
 }

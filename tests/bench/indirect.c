@@ -1,4 +1,5 @@
-/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is: indirect_path.c; the thesis' tables: indirect_table.c. */
+/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is: indirect_path.c; what passes take: indirect_passes.c; the thesis' tables: indirect_table.c. */
+#include "indirect_passes.h"
 #include "indirect_path.h"
 #include "indirect_table.h"
 #include "matbench.h"
@@ -256,6 +257,11 @@ static bool measure_path(GlContext *gl, const Arguments *a)
     return bench_indirect_path(gl);
 }
 
+static bool measure_passes(GlContext *gl, const Arguments *a)
+{
+    return bench_indirect_passes(gl, &(IndirectPasses){a->mesh, a->lift, a->edge, a->timed});
+}
+
 static bool measure_table(GlContext *gl, const Arguments *a)
 {
     return bench_indirect_table(gl, &(IndirectTable){a->meshes, a->edge, a->timed});
@@ -266,7 +272,11 @@ static bool measure_table(GlContext *gl, const Arguments *a)
 static const struct {
     const char *name;
     bool (*measure)(GlContext *, const Arguments *);
-} tables[] = {{"maps", measure_maps}, {"rays", measure_rays}, {"path", measure_path}, {"table", measure_table}};
+} tables[] = {{"maps", measure_maps},
+              {"rays", measure_rays},
+              {"path", measure_path},
+              {"passes", measure_passes},
+              {"table", measure_table}};
 enum { TABLES = sizeof tables / sizeof *tables, LONG = 3 }; /* what takes minutes is measured only by its name */
 
 static bool read_argument(const char *text, Arguments *a)
@@ -298,7 +308,7 @@ int bench_indirect(int argc, char **argv)
     for (int i = 1; i < argc; i++)
         if (!read_argument(argv[i], &a)) {
             fputs("usage: matbench indirect [--untimed] [--gl=osmesa|egl] [--mesh=FILE] [--lift=HEIGHT] [--voxels=N] "
-                  "[--meshes=FOLDER] [--size=PIXELS] [maps] [rays] [path] [table]\n",
+                  "[--meshes=FOLDER] [--size=PIXELS] [maps] [rays] [path] [passes] [table]\n",
                   stderr);
             return 2;
         }

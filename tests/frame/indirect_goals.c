@@ -52,16 +52,10 @@ static double share_of_time(Render *render, Render *march)
 
 static void put_scene(const IndirectGoals *g, const Goal *goal, const char *keys, char text[TEXT])
 {
-    char body[TEXT / 2];
-    snprintf(body, sizeof body,
-             "camera: { camera: Perspective, position: [.6, -4.6, 2.6], target: [0, 0, .7], angle: 40 }\n"
-             "materials: { m: { material: Phong, diffuse: .6 } }\nobjects:\n"
-             "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
-             "- { object: Mesh, file: %s, material: m, transform: { rotation: [1.5707963, 0, 0], translation: [0, 0, "
-             "%s] } }\n",
-             g->mesh ? g->mesh : "", g->lift);
+    char body[INDIRECT_SCENES_TEXT];
+    indirect_scenes_bunny(g->mesh ? g->mesh : "", g->lift, body);
     snprintf(text, TEXT, "image: { width: %d, height: %d }\nindirect: { radius: %g, bounces: %d, %s }\n%s", EDGE, EDGE,
-             goal->radius, is_light(goal), keys, strstr(goal->name, "bunny") ? body : indirect_truth_box);
+             goal->radius, is_light(goal), keys, strstr(goal->name, "bunny") ? body : indirect_scenes_box);
 }
 
 typedef struct {

@@ -1,6 +1,7 @@
 /* What openness and light from other surfaces are at places of a picture, by many rays in double (open_ray.h), and how far a picture is off that. */
 #ifndef MATC_INDIRECT_TRUTH_H
 #define MATC_INDIRECT_TRUTH_H
+#include "tests/frame/indirect_scenes.h"
 #include "tests/frame/open_ray.h"
 
 enum { INDIRECT_TRUTH_APART = 8, INDIRECT_TRUTH_MOST = 4096 }; /* pixels between places; places: of 512 x 512 */
@@ -15,9 +16,6 @@ typedef struct {
     int count;
     double light; /* mean over places and lanes */
 } IndirectTruth;
-
-/* The Cornell box: lights, materials and objects; walls as thick as a voxel of 64, and two boxes. Its lamp has no shadows, neither here nor there. */
-extern const char indirect_truth_box[];
 
 /* Of places in rows and columns, not at edges of objects: a pixel's middle may be on either side there. Of `rays` state is set for each place. */
 void indirect_truth_find(const Scene *scene, const OpenRays *rays, const MatcOptions *options, IndirectTruth *truth);

@@ -1,0 +1,13 @@
+/* Of matbench indirect: the table passes. */
+#ifndef MATC_BENCH_INDIRECT_PASSES_H
+#define MATC_BENCH_INDIRECT_PASSES_H
+#include "runtime/render/render.h"
+
+typedef struct {
+    const char *mesh, *lift; /* indirect_scenes_bunny; NULL: the bunny, where tests/meshes/fetch.sh has put it */
+    int edge;                /* of the picture, in pixels */
+    bool timed;
+} IndirectPasses;
+
+bool bench_indirect_passes(GlContext *gl, const IndirectPasses *passes);
+#endif
