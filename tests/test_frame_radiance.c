@@ -334,14 +334,25 @@ static void assert_as_new(GlContext *gl, Render *render, const Scene *scene, con
     free(as_new);
 }
 
-/* Light that bounces on, too: threads find nodes in another order each time, and no number may follow that. */
+static double mean_of(const float *rgba, int lane)
+{
+    double sum = 0;
+    for (int i = lane; i < LANES * PIXELS; i += LANES)
+        sum += rgba[i] / PIXELS;
+    return sum;
+}
+
+/* Light that bounces on, too, and what a surface sends at another time: threads find nodes in another order each time, and no number may follow that. */
 static void what_changes_is_as_new(void **state)
 {
     (void)state;
     static const char key[] = "indirect: {";
+    static const char reddens[] =
+        "- { object: Box, size: [.6, .6, .6], material: { material: Phong, specular: 0, diffuse: \"= [.2 + .3 * time, "
+        ".4, .3]\" }, transform: { translation: [.9, -1.3, 1.2] } }\n";
     char text[sizeof behind + TEXT];
     const char *at = strstr(behind, key) + strlen(key);
-    snprintf(text, sizeof text, "%.*s bounces: 3,%s", (int)(at - behind), behind, at);
+    snprintf(text, sizeof text, "%.*s bounces: 3,%s%s", (int)(at - behind), behind, at, reddens);
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "indirect"};
     GlContext *gl = frame_context();
@@ -357,6 +368,15 @@ static void what_changes_is_as_new(void **state)
     scene->lights[0].position[0] -= .7;
     assert_true(render_changed(render, RENDER_LIGHTS));
     assert_as_new(gl, render, scene, &how);
+    float *before = malloc(sizeof *before * LANES * PIXELS), *rgba = malloc(sizeof *rgba * LANES * PIXELS);
+    assert_true(before && rgba && render_read(render, before));
+    scene->time = 2;
+    assert_true(render_changed(render, RENDER_TIME));
+    assert_as_new(gl, render, scene, &how);
+    assert_true(render_read(render, rgba) && mean_of(rgba, 0) > 1.01 * mean_of(before, 0));
+    assert_true(fabs(mean_of(rgba, 2) / mean_of(before, 2) - 1) < .01); /* blue goes on by the blue of what it meets */
+    free(before);
+    free(rgba);
     render_close(render);
     frame_forget(scene, document);
     gl_close(gl);
