@@ -25,6 +25,7 @@ IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
 struct IndirectStart {
     vec3 place;  // in the grid's units
     float begin; // where the ray is then
+    bool full;   // in a full voxel, as in a corner
 };
 
 // Off the surface by h, but along the ray, as far as h may take it, and only for the rest along the normal: of what is met from a place beside the ray, the distance is another, up
@@ -36,8 +37,8 @@ IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 {
     float h = origin.lift, cosine = dot(way, origin.normal), aside = 1.0 - cosine;
     vec3 along = origin.place + h * going + aside * origin.up;
-    if (voxelAt(along)) return IndirectStart(origin.place + origin.up, h * cosine);
-    return IndirectStart(along, h + h * aside * cosine);
+    if (voxelAt(along)) return IndirectStart(origin.place + origin.up, h * cosine, voxelAt(origin.place + origin.up));
+    return IndirectStart(along, h + h * aside * cosine, false);
 }
 
 #ifdef INDIRECT_NEAR
@@ -71,7 +72,7 @@ bool indirectVoxel(IndirectOrigin origin, vec3 way, inout IndirectHit hit)
     IndirectStart start = indirectStart(origin, way, going);
     bool met = voxelRay(start.place, going, radius - start.begin, t);
 #ifdef INDIRECT_RADIANCE
-    RadianceRay ray = RadianceRay(origin.place, start.place, going, met ? t : -1.0, voxelAt(start.place));
+    RadianceRay ray = RadianceRay(origin.place, start.place, going, met ? t : -1.0, start.full);
     RadianceSum sum = radianceEnd(ray);
     hit.sent = (sum.direct + sum.further) / max(sum.weight, 1e-6);
     met = ray.t >= 0.0;

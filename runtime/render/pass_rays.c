@@ -36,6 +36,10 @@ void pass_rays_place(Render *render)
         }
 }
 
+/* Pixels so far apart along a row have one set of directions: their rays are alike, as those of neighbours are not, and drivers that run invocations in vectors walk all of a vector's rays as far
+ * as the longest. */
+static bool is_alike(const Render *render) { return render->scene->indirect.rotation == WORD_Rotation_tile; }
+
 static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS], planes[INDIRECT_PLANES_DEFINITION];
@@ -62,6 +66,7 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
                                           surface_model_more(of, 6),
                                           defined,
                                           again ? "#define INDIRECT_AGAIN\n" : "",
+                                          kept && is_alike(render) ? "#define ENTRY_APART 8\n" : "",
                                           levels   ? "#define INDIRECT_VOXELS\n#define INDIRECT_LEVELS\n"
                                           : voxels ? "#define INDIRECT_VOXELS\n"
                                                    : "",

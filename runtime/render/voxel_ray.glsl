@@ -2,7 +2,7 @@
 //
 // A step reads one word: of a level, 32 voxels along z of a column 2^level wide. Those of them count that the ray passes while it is in the column, from where it
 // comes in to where it goes out along z. If none of these is full, the ray goes on to the column's end, and the next step takes one that is twice as wide; else the next takes
-// one half as wide, and on the lowest level the first of these is the hit.
+// one a quarter as wide, and on the lowest level the first of these is the hit. (One half as wide reads a hundredth more words.)
 //
 //     a ray of slope 1/4 over an empty floor of 64 x 64 voxels: columns 1, 2, 4, 8, ... wide, whose words have the floor, but not the voxels that the ray passes
 struct VoxelMeeting {
@@ -38,7 +38,7 @@ bool voxelLeave(VoxelWay way, inout ivec3 at, inout float entered, inout int ste
 
 bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
 {
-    const int most = 8192;      // steps; a walk has fewer than 3 * 512, and each can go down once from each level
+    const int most = 8192;      // steps; a walk has fewer than 3 * 512, and each can go down once from each second level
     const float beside = 0.002; // voxels: more than a place of a ray is off that is computed in floats
     VoxelWay way;
     meeting = VoxelMeeting(far, ivec3(0), 0);
@@ -66,7 +66,7 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
         if (!clear && level == 0) break;
         at = clear ? next : at;
         entered = clear ? leave : entered;
-        level = clear ? level + int(voxel_size >> level > 1) : level - 1;
+        level = clear ? level + int(voxel_size >> level > 1) : max(level - 2, 0);
         if (!(entered <= way.most) || ((at.x | at.y | at.z) & voxel_size) != 0) break;
     }
     meeting.steps = steps;
