@@ -215,13 +215,14 @@ static bool is_near(const Point *point)
 static void compare_words(Run *r)
 {
     GLuint(*a)[POINT_COUNT * 4] = r->f->words[0], (*b)[POINT_COUNT * 4] = r->f->words[1];
+    const int last = r->g.targets.spec.color_count - 1;
     for (int target = 0; target < r->g.targets.spec.color_count; target++)
         for (int i = 0; i < POINT_COUNT * 4 && framebuffer_has_words(&r->g.targets, target); i++) {
             if (!is_near(&r->f->points[i / 4]))
                 continue;
             if (case_of(r, a[0][i / 4 * 4]) != case_of(r, b[0][i / 4 * 4]))
                 continue; /* of numbers from a buffer it is not known that a slot is as absent ones are */
-            bool near = packed_agree(r->g.layout, target, i % 4, a[target][i], b[target][i]);
+            bool near = packed_agree(r->g.layout, target, i % 4, &(PackedPair){{a[target][i], b[target][i]}, {a[last][i | 3], b[last][i | 3]}});
             r->words++;
             r->steps += near && a[target][i] != b[target][i];
             r->other += !near;

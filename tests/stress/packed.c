@@ -55,17 +55,18 @@ static bool codes_agree(const FieldRow *field, uint32_t a, uint32_t b)
     }
 }
 
-bool packed_agree(const LayoutRow *layout, int target, int lane, double a, double b)
+bool packed_agree(const LayoutRow *layout, int target, int lane, const PackedPair *pair)
 {
     Placement placement;
-    int bits = layout_case_bits(layout), number = 0;
+    const double a = pair->word[0], b = pair->word[1];
+    int number = 0;
     if (a == b)
         return true;
-    if (bits && !target && !lane) {
-        number = (int)fmod(a, ldexp(1, bits));
-        if (number != (int)fmod(b, ldexp(1, bits)))
+    if (layout_case_bits(layout) && !target && !lane) {
+        number = layout_case_of(layout, (uint32_t)a, (uint32_t)pair->last[0]);
+        if (number != layout_case_of(layout, (uint32_t)b, (uint32_t)pair->last[1]))
             return true; /* the optimiser sees of more slots that they are as absent ones: the slots are compared by themselves */
-    } else if (bits) {
+    } else if (layout_case_bits(layout)) {
         return true; /* which fields it holds stands in another word */
     }
     if (layout_allocate(layout, number, &placement))

@@ -327,10 +327,13 @@ static const LayoutRow *layout_of(const Trial *t, Pass pass)
 static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output)
 {
     const IrOutput *out = &s->program->ir[0]->outputs[output];
-    bool words = layout && out->kind == OUT_color && format_table[layout->formats[out->index]].words;
+    const bool words = layout && out->kind == OUT_color && format_table[layout->formats[out->index]].words;
+    double last[2] = {0};
+    for (int level = 0; level < 2 && words; level++)
+        last[level] = s->exact[level].value[output_of(s->program->ir[level], layout_targets(layout) - 1)][3];
     for (int lane = 0; lane < 4; lane++) {
-        double want = s->exact[0].value[output][lane];
-        if (words && packed_agree(layout, out->index, lane, want, s->exact[1].value[output][lane]))
+        const double want = s->exact[0].value[output][lane];
+        if (words && packed_agree(layout, out->index, lane, &(PackedPair){{want, s->exact[1].value[output][lane]}, {last[0], last[1]}}))
             continue;
         if (!agrees(t, s, &(Expected){1, output, lane, want}))
             return false;
