@@ -15,6 +15,10 @@
 static const char text[] =
     "material: Phong\ndisplacement: { map: VolumeTurbulence, size: 1.5, octaves: 2, noiseRatio: 0.3 }\n"
     "displacementScale: 0.15\n";
+/* What a mesh has besides, where its vertices say the same as their positions: the two are mixed alike. */
+static const char with_attribute[] = "material: Phong\ndiffuse: \"= attribute('wetness', float, 0)\"\ndisplacement: { map: Gradient }\ndisplacementScale: 0.2\n";
+static const char compares[] = "%sin vec3 localPosition;\nin float matc_attribute_wetness;\nout vec4 fragment0;\n"
+                               "void main() {\n    fragment0 = vec4(abs(matc_attribute_wetness - localPosition.x), matc_attribute_wetness, 0.0, 1.0);\n}\n";
 static const char white[] =
     "%sout vec4 fragment0;\nvoid main() {\n    fragment0 = vec4(vec3(gl_FragCoord.z), 1.0);\n}\n";
 
@@ -22,6 +26,7 @@ typedef struct {
     const char *target, *version;
     bool geometry; /* or vertices of a mesh that is fine already */
     int parts, rows;
+    bool attribute; /* `with_attribute` is drawn, of which `compares` shows how far it is from the position */
 } Way;
 
 typedef struct {
@@ -32,19 +37,20 @@ typedef struct {
 
 static Drawn open_drawn(Rig *rig, const Way *way)
 {
-    char fragment[200];
+    char fragment[300];
+    const char *document = way->attribute ? with_attribute : text;
     MatcOptions options;
     Drawn d;
     matc_options_init(&options);
     options.target = way->target;
-    options.pass = "depth";
+    options.pass = way->attribute ? "gbuffer" : "depth";
     options.validate = true;
-    d.document = matc_read("rock.yaml", text, sizeof text - 1, &options);
+    d.document = matc_read("rock.yaml", document, strlen(document), &options);
     d.program = matc_compile(
         d.document, 0, MATC_FRAGMENT | (way->geometry ? MATC_GEOMETRYVERTEX | MATC_GEOMETRY : MATC_VERTEX), &options);
     if (!matc_ok(d.program))
         fail_msg("%s", matc_program_diagnostics(d.program, MATC_TEXT));
-    snprintf(fragment, sizeof fragment, white, way->version);
+    snprintf(fragment, sizeof fragment, way->attribute ? compares : white, way->version);
     const ProgramText stages = {
         .vertex = {matc_output(d.program, way->geometry ? MATC_GEOMETRYVERTEX : MATC_VERTEX, NULL)},
         .geometry = {matc_output(d.program, MATC_GEOMETRY, NULL)},
@@ -133,7 +139,7 @@ static void pictures_are_those_of_divided_meshes(void **state)
     for (int i = 0; i < 2; i++)
         for (size_t k = 0; k < sizeof divisions / sizeof *divisions; k++) {
             int others = 0, within = 0, found = 0;
-            Way way = {targets[i].target, targets[i].version, false, divisions[k][0], divisions[k][1]};
+            Way way = {targets[i].target, targets[i].version, false, divisions[k][0], divisions[k][1], false};
             draw_views(RIG, &way, VIEWS, of[0]);
             way.geometry = true;
             draw_views(RIG, &way, VIEWS, of[1]);
@@ -147,6 +153,47 @@ static void pictures_are_those_of_divided_meshes(void **state)
         }
     free(of[0]);
     free(of[1]);
+}
+
+/* Its values are those of the position's x, in the same vertices. */
+static void feed_wetness(const GlContext *gl, const Mesh *mesh)
+{
+    enum { FIRST_OWN = 11 }; /* language.md */
+    gl->BindVertexArray(mesh->array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
+    gl->EnableVertexAttribArray(FIRST_OWN);
+    gl->VertexAttribPointer(FIRST_OWN, 1, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex), (const void *)offsetof(ShapeVertex, position));
+}
+
+static void attributes_are_handed_on(void **state)
+{
+    Rig *rig = RIG;
+    const Way way = {"glsl330", "#version 330 core\n", true, 1, 4, true};
+    Shape ball;
+    Mesh mesh;
+    Drawn d = open_drawn(rig, &way);
+    double worst = 0, least = 1, most = -1;
+    assert_true(gl_use(rig->gl) && shape_make_detailed(SHAPE_sphere, (int[]){8, 4}, &ball) && mesh_make_of(rig->gl, &ball, &mesh));
+    assert_true(rig_begin(rig, &rig->full));
+    look_from(0, 2, &d);
+    material_set_number(&d.material, "matc_rows", (float)way.rows);
+    material_set_number(&d.material, "matc_parts", (float)way.parts);
+    material_use(&d.material);
+    feed_wetness(rig->gl, &mesh);
+    rig->gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, NULL, 1, 0);
+    rig->gl->BindVertexArray(0);
+    assert_true(rig_finish(rig, &rig->full));
+    for (int i = 0; i < SIDE * SIDE; i++)
+        if (rig->color[0][i][3] == 1) {
+            worst = fmax(worst, rig->color[0][i][0]);
+            least = fmin(least, rig->color[0][i][1]);
+            most = fmax(most, rig->color[0][i][1]);
+        }
+    print_message("wetness from %.2f to %.2f, %.1e from the position at most\n", least, most, worst);
+    assert_true(worst < 1e-6 && least < -.5 && most > .5);
+    mesh_delete(rig->gl, &mesh);
+    shape_free(&ball);
+    close_drawn(&d);
 }
 
 static void others_have_none(void **state)
@@ -192,6 +239,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_those_of_divided_meshes),
+        cmocka_unit_test(attributes_are_handed_on),
         cmocka_unit_test(others_have_none),
         cmocka_unit_test(all_passes_are_valid),
     };
