@@ -332,8 +332,7 @@ static void put_material_parameter(Generator *g, const ParamRow *row, int depth)
 /* Mostly a Phong. Mixes and coats may stand in one another, switches stand outermost. */
 static Kind choose_material(Choices *c, int depth)
 {
-    static const Kind others[] = {KIND_RGBA,        KIND_SunSkyLight, KIND_Principled,     KIND_Layer,
-                                  KIND_MixMaterial, KIND_SideSwitch,  KIND_AlgorithmSwitch};
+    static const Kind others[] = {KIND_RGBA, KIND_SunSkyLight, KIND_Principled, KIND_Layer, KIND_MixMaterial, KIND_SideSwitch, KIND_AlgorithmSwitch};
     return chance(c, 1, 4) ? others[choose(c, depth > 1 ? 3 : depth ? 5 : 7)] : KIND_Phong;
 }
 
