@@ -14,9 +14,9 @@
 
 #define PI 3.14159265358979323846
 enum {
-    ANGLES = 6,   /* powers of x */
-    WIDTHS = 4,   /* of g */
-    ROUGHS = 6,   /* of p */
+    ANGLES = 6, /* powers of x */
+    WIDTHS = 4, /* of g */
+    ROUGHS = 6, /* of p */
     REST_ANGLES = 4,
     REST_ROUGHS = 4,
     MAIN = ANGLES * ROUGHS * WIDTHS,
@@ -46,9 +46,11 @@ static void integrate(const double eye[3], const double widths[2], double found[
     const double b[3] = {-w[2] * t[1], w[2] * t[0], w[0] * t[1] - w[1] * t[0]};
     double all = 0, grazing = 0;
     for (int i = 0; i < SIDES * SIDES; i++) {
-        const double r = sqrt((i / SIDES + .5) / SIDES), turn = 2 * PI * (i % SIDES + .5) / SIDES, x = r * cos(turn), k = .5 + .5 * w[2];
+        const double r = sqrt((i / SIDES + .5) / SIDES), turn = 2 * PI * (i % SIDES + .5) / SIDES, x = r * cos(turn),
+                     k = .5 + .5 * w[2];
         const double y = (1 - k) * sqrt(fmax(1 - x * x, 0)) + k * r * sin(turn), z = sqrt(fmax(1 - x * x - y * y, 0));
-        double h[3] = {widths[0] * (x * t[0] + y * b[0] + z * w[0]), widths[1] * (x * t[1] + y * b[1] + z * w[1]), fmax(y * b[2] + z * w[2], 0)};
+        double h[3] = {widths[0] * (x * t[0] + y * b[0] + z * w[0]), widths[1] * (x * t[1] + y * b[1] + z * w[1]),
+                       fmax(y * b[2] + z * w[2], 0)};
         const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]);
         const double facing = (h[0] * eye[0] + h[1] * eye[1] + h[2] * eye[2]) / length;
         double l[3];
@@ -71,11 +73,15 @@ static void fill_terms(const Sample *s, bool of_grazing, double terms[TERMS])
     const double x = of_grazing ? sqrt(s->cosine + .5 * along) : s->cosine * (1 + along) / (s->cosine + along);
     for (int i = 0; i < TERMS; i++) {
         const int own = i < MAIN ? i : i - MAIN, roughs = i < MAIN ? ROUGHS : REST_ROUGHS, line = own / WIDTHS;
-        terms[i] = (i < MAIN ? 1 : 1 - s->ratio * s->ratio) * pow(s->width, own % WIDTHS) * pow(p, line % roughs) * pow(x, line / roughs);
+        terms[i] = (i < MAIN ? 1 : 1 - s->ratio * s->ratio) * pow(s->width, own % WIDTHS) * pow(p, line % roughs) *
+                   pow(x, line / roughs);
     }
 }
 
-static double aim(const Sample *s, bool of_grazing) { return of_grazing ? pow(s->grazing / (1 - s->lost), .2) : s->lost; }
+static double aim(const Sample *s, bool of_grazing)
+{
+    return of_grazing ? pow(s->grazing / (1 - s->lost), .2) : s->lost;
+}
 
 static double error_of(const Fit *fit, const Sample *s)
 {
@@ -117,13 +123,15 @@ static void add_samples(Fit *fit)
     for (int i = 0; i < ROUGHNESSES * RATIOS * AZIMUTHS * COSINES; i++) {
         const int at = i / COSINES / AZIMUTHS;
         const double rough = .0316227766 + .9683772234 * (at / RATIOS) / (ROUGHNESSES - 1), b = across[at % RATIOS];
-        const double turn = PI / 2 * (i / COSINES % AZIMUTHS) / (AZIMUTHS - 1), cosine = pow((i % COSINES + .7) / (COSINES - .3), 2);
+        const double turn = PI / 2 * (i / COSINES % AZIMUTHS) / (AZIMUTHS - 1),
+                     cosine = pow((i % COSINES + .7) / (COSINES - .3), 2);
         const double sine = sqrt(1 - cosine * cosine), eye[3] = {sine * cos(turn), sine * sin(turn), cosine};
         const double ratio = (1 - b * b) / (1 + b * b), wide = rough * rough * sqrt(2 / (1 + b * b));
         double found[2];
         integrate(eye, (const double[]){wide, b * wide}, found);
         Sample *s = &fit->samples[fit->count++];
-        *s = (Sample){rough, ratio, sqrt(1 + ratio * (eye[0] * eye[0] - eye[1] * eye[1])), cosine, found[0], found[1], 1};
+        *s = (Sample){rough,    ratio, sqrt(1 + ratio * (eye[0] * eye[0] - eye[1] * eye[1])), cosine, found[0],
+                      found[1], 1};
     }
 }
 
@@ -137,7 +145,8 @@ static void run(Fit *fit, const char *name)
     for (int step = 0; step < 8; step++) {
         solve(fit);
         for (int i = 0; i < fit->count; i++)
-            fit->samples[i].weight *= .8 + error_of(fit, &fit->samples[i]) / (fit->samples[i].cosine < .03 ? .03 : .012);
+            fit->samples[i].weight *=
+                .8 + error_of(fit, &fit->samples[i]) / (fit->samples[i].cosine < .03 ? .03 : .012);
     }
     for (int i = 0; i < fit->count; i++) {
         const double error = error_of(fit, &fit->samples[i]);
@@ -146,8 +155,8 @@ static void run(Fit *fit, const char *name)
     }
     printf("%s: within %.4f, and %.4f for cosines from 0.03 on\n", name, worst, of_some);
     for (int k = 0; k < TERMS; k += WIDTHS)
-        printf("%svec4(%.7g, %.7g, %.7g, %.7g)\n", k == MAIN ? "times 1 - k^2:\n" : "", fit->terms[k], fit->terms[k + 1], fit->terms[k + 2],
-               fit->terms[k + 3]);
+        printf("%svec4(%.7g, %.7g, %.7g, %.7g)\n", k == MAIN ? "times 1 - k^2:\n" : "", fit->terms[k],
+               fit->terms[k + 1], fit->terms[k + 2], fit->terms[k + 3]);
 }
 
 int main(void)

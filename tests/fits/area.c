@@ -26,7 +26,10 @@ typedef struct {
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-static double lambda(double alpha, double cosine) { return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2; }
+static double lambda(double alpha, double cosine)
+{
+    return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
+}
 
 /* Of a direction: what the lobe has there, all being 1, and the density by which facets are chosen; 0 below the horizon. */
 static double lobe(const Facets *f, const double l[3], double *density)
@@ -35,8 +38,10 @@ static double lobe(const Facets *f, const double l[3], double *density)
     if (l[2] <= 0)
         return 0;
     double h[3] = {f->eye[0] + l[0], f->eye[1] + l[1], f->eye[2] + l[2]};
-    const double size = dot(h, h), high = h[2] * h[2] / size, across = (h[0] * h[0] + h[1] * h[1]) / size, a2 = f->alpha * f->alpha;
-    const double width = a2 * high + across, own = lambda(f->alpha, f->eye[2]), d = a2 / (PI * width * width) / (4 * f->eye[2]);
+    const double size = dot(h, h), high = h[2] * h[2] / size, across = (h[0] * h[0] + h[1] * h[1]) / size,
+                 a2 = f->alpha * f->alpha;
+    const double width = a2 * high + across, own = lambda(f->alpha, f->eye[2]),
+                 d = a2 / (PI * width * width) / (4 * f->eye[2]);
     *density = d / (1 + own);
     return d / (1 + own + lambda(f->alpha, l[2])) / f->albedo;
 }
@@ -46,7 +51,8 @@ static void choose(const Facets *f, const double u[2], double l[3])
 {
     const double x = f->alpha * f->eye[0], size = hypot(x, f->eye[2]), w[2] = {x / size, f->eye[2] / size};
     const double r = sqrt(u[0]), t = r * cos(2 * PI * u[1]), k = .5 + .5 * w[1];
-    const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(2 * PI * u[1]), up = sqrt(fmax(1 - t * t - s * s, 0));
+    const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(2 * PI * u[1]),
+                 up = sqrt(fmax(1 - t * t - s * s, 0));
     double h[3] = {f->alpha * (s * -w[1] + up * w[0]), f->alpha * t, fmax(s * w[0] + up * w[1], 1e-9)};
     const double length = sqrt(dot(h, h)), facing = dot(h, f->eye) / length;
     for (int i = 0; i < 3; i++)
@@ -89,9 +95,11 @@ static double difference(const Facets *f, const double m[3])
         const double u[2] = {(i / 2 / SIDES + .5) / SIDES, (i / 2 % SIDES + .5) / SIDES};
         double l[3], density;
         if (i % 2) {
-            const double r = sqrt(u[0]), z = sqrt(1 - u[0]), x = m[0] * r * cos(2 * PI * u[1]) + m[2] * z, y = m[1] * r * sin(2 * PI * u[1]);
+            const double r = sqrt(u[0]), z = sqrt(1 - u[0]), x = m[0] * r * cos(2 * PI * u[1]) + m[2] * z,
+                         y = m[1] * r * sin(2 * PI * u[1]);
             const double length = sqrt(x * x + y * y + z * z);
-            l[0] = (x * f->mean[2] + z * f->mean[0]) / length, l[1] = y / length, l[2] = (z * f->mean[2] - x * f->mean[0]) / length;
+            l[0] = (x * f->mean[2] + z * f->mean[0]) / length, l[1] = y / length,
+            l[2] = (z * f->mean[2] - x * f->mean[0]) / length;
         } else
             choose(f, u, l);
         const double want = lobe(f, l, &density), have = transformed(f, m, l);
@@ -175,7 +183,8 @@ static int find_samples(Sample *samples)
                 descend(&f, .03, m);
             }
             const double off = acos(cosine) - atan2(-f.mean[0], f.mean[2]);
-            samples[count++] = (Sample){rough, cosine, {m[0] / alpha, m[1] / alpha / (cosine + alpha), m[2] / alpha, off / alpha}, 1};
+            samples[count++] =
+                (Sample){rough, cosine, {m[0] / alpha, m[1] / alpha / (cosine + alpha), m[2] / alpha, off / alpha}, 1};
         }
     }
     return count;
