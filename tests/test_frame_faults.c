@@ -183,9 +183,36 @@ static void shadow_maps(void **state)
     gl_close(gl);
 }
 
+/* A host may begin with an empty scene: of no method of indirect light is there a program that asks materials which there are not. */
+static void nothing_stands_there(void **state)
+{
+    (void)state;
+    static const char *const ways[] = {"hybrid", "screen, bounces: 3"};
+    enum { EDGE = 8, LANES = 4 };
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        char scene_text[512];
+        MatcDocument *document;
+        snprintf(scene_text, sizeof scene_text,
+                 "image: { width: %d, height: %d }\nlights: [{ light: Point, position: [0, -2, 3] }]\nindirect: { "
+                 "method: %s }\n"
+                 "objects: []\n",
+                 EDGE, EDGE, ways[i]);
+        Scene *scene = frame_scene(scene_text, &options, &document);
+        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        for (int k = 0; k < LANES * EDGE * EDGE; k++)
+            assert_true(k % LANES == 3 || rgba[k] == 0);
+        free(rgba);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_named), cmocka_unit_test(targets_are_named),
-                                       cmocka_unit_test(meshes_too_large), cmocka_unit_test(shadow_maps)};
+                                       cmocka_unit_test(meshes_too_large), cmocka_unit_test(shadow_maps),
+                                       cmocka_unit_test(nothing_stands_there)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

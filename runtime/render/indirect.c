@@ -21,11 +21,14 @@ Word indirect_method(const Render *render)
                                                                             : WORD_Indirect_screen;
 }
 
-bool indirect_is(const Render *render)
+static bool is_said(const Render *render)
 {
     const SceneIndirect *in = render->scene ? &render->scene->indirect : NULL;
     return in && in->rays > 0 && in->method != WORD_Indirect_none;
 }
+
+/* Where nothing stands no light goes on. */
+bool indirect_is(const Render *render) { return is_said(render) && render->scene->object_count > 0; }
 
 bool indirect_shows(const Render *render, const char *view)
 {
@@ -90,9 +93,10 @@ int indirect_view_lanes(const char *view)
 const char *indirect_lacks_view(const Render *render)
 {
     const char *view = render->options.view;
-    return view && indirect_view_lanes(view) && !indirect_is(render)
-               ? "the scene has no `indirect:`, which --indirect=METHOD gives it"
-               : NULL;
+    if (!view || !indirect_view_lanes(view) || indirect_is(render))
+        return NULL;
+    return is_said(render) ? "the scene has no objects"
+                           : "the scene has no `indirect:`, which --indirect=METHOD gives it";
 }
 
 double indirect_radius(const Scene *scene, const Cache *cache)
