@@ -21,8 +21,8 @@ install(TARGETS matc_render_shared EXPORT matc-render INCLUDES DESTINATION ${CMA
 install(EXPORT matc-render NAMESPACE matc:: DESTINATION ${package})
 install(FILES runtime/render/matc_render.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # What lights a Surface that the unpacking text gives: docs/layouts.md
-install(FILES runtime/render/surface_phong.glsl runtime/render/surface_facets.glsl runtime/render/surface_principled.glsl
-  runtime/render/surface_anisotropic.glsl runtime/render/surface_through.glsl
+install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_facets.glsl runtime/surface/surface_principled.glsl
+  runtime/surface/surface_anisotropic.glsl runtime/surface/surface_through.glsl
   DESTINATION ${CMAKE_INSTALL_DATADIR}/matc/surface)
 
 configure_package_config_file(cmake/matcConfig.cmake.in ${PROJECT_BINARY_DIR}/package/matcConfig.cmake

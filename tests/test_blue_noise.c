@@ -1,11 +1,11 @@
-/* The mask of blue noise (runtime/render/blue_noise.c): it is what void-and-cluster gives, and its spectrum has next to nothing low, whatever white noise has.
+/* The mask of blue noise (runtime/indirect/blue_noise.c): it is what void-and-cluster gives, and its spectrum has next to nothing low, whatever white noise has.
  * `build/tests/test_blue_noise print`: its rows, as that file has them. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/blue_noise.h"
+#include "runtime/indirect/blue_noise.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>

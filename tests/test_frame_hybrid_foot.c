@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
 #include "tests/frame/shadow_pair.h"
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_lamps.h"

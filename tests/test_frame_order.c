@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
+#include "runtime/render/passes.h"
 
 enum { X = 1, Y = 2, Z = 4, V = 8 };
 

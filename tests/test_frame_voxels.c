@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/render/render.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_voxels.h"
 #include <math.h>

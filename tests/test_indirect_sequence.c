@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/indirect_sequence.h"
+#include "runtime/indirect/indirect_sequence.h"
 #include <math.h>
 #include <string.h>
 

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/light_far.h"
+#include "runtime/light/light_far.h"
 #include "tests/frame/frame_lamps.h"
 #include <math.h>
 

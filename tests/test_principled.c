@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "runtime/draw/screen_pass.h"
-#include "runtime/render/surface_model.h"
+#include "runtime/surface/surface_model.h"
 #include "compiler/matc.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/lobe_claims.h"

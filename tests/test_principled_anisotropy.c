@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "runtime/draw/screen_pass.h"
 #include "runtime/library/chunk.h"
-#include "runtime/render/surface_model.h"
+#include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/lobe_claims.h"
 #include <math.h>

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/measure.h"
+#include "runtime/draw/measure.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -1,6 +1,16 @@
 /* The list of passes, and the targets between them. */
+#include "runtime/glass/glass.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_motion.h"
+#include "runtime/indirect/radiance.h"
+#include "runtime/indirect/voxels.h"
+#include "runtime/light/light_far.h"
+#include "runtime/picture/picture.h"
 #include "runtime/render/frame_memory.h"
-#include "runtime/render/light_far.h"
+#include "runtime/render/passes.h"
+#include "runtime/shadow/exact.h"
+#include "runtime/shadow/shadow.h"
+#include "runtime/shadow/volume.h"
 #include <string.h>
 
 #define DEPTH    (1u << FRAME_TARGET_depth)
@@ -278,6 +288,7 @@ bool frame_count(Render *render)
 bool frame_make(Render *render)
 {
     FramePlanRows made;
+    frame_forms_find(render);
     frame_request(render, &made);
     frame_plan(&made.request, &render->plan);
     frame_memory_size(render);

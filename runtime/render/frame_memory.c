@@ -1,6 +1,8 @@
 /* The memory of a frame's targets: textures by the plan's pieces, and how large a tile they hold. */
 #include "runtime/render/frame_memory.h"
-#include "runtime/render/light_far.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/light/light_far.h"
+#include "runtime/render/passes.h"
 #include <string.h>
 
 /* The piece, made for the first target that lies in it; for another format a view of it. */

@@ -1,7 +1,8 @@
 /* The library's surface: what scene.h and render.h offer, for a host that sees neither. */
 #include "runtime/render/matc_render.h"
+#include "runtime/frame/frame.h"
 #include "runtime/gl/message.h"
-#include "runtime/render/frame.h"
+#include "runtime/render/render.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdint.h>

@@ -1,14 +1,16 @@
 /* The passes that rasterise: surfaces into depth and G-buffer, planes beside them, the sky where nothing is. Depth is reversed: it begins at
  * 0, and what is nearer is greater. */
 #include "runtime/cache/cache_trace.h"
-#include "runtime/render/frame.h"
+#include "runtime/render/passes.h"
+#include "runtime/shadow/exact.h"
+#include "runtime/shadow/shadow.h"
 
 bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
 bool pass_plane_needed(const Render *render)
 {
-    return render->cache.opaque_plane_count > 0 && volume_view_has_scene(render);
+    return render->cache.opaque_plane_count > 0 && surface_draw_is_shown(render);
 }
-bool pass_sky_needed(const Render *render) { return render->cache.has_sky && volume_view_has_scene(render); }
+bool pass_sky_needed(const Render *render) { return render->cache.has_sky && surface_draw_is_shown(render); }
 
 static void clear(const GlContext *gl, const Framebuffer *framebuffer)
 {
@@ -20,25 +22,6 @@ static void clear(const GlContext *gl, const Framebuffer *framebuffer)
         else
             gl->ClearBufferfv(GL_COLOR, i, no_floats);
     gl->ClearBufferfv(GL_DEPTH, 0, no_floats);
-}
-
-void pass_surface_begin(const Render *render, const Framebuffer *framebuffer, GLenum test)
-{
-    const GlContext *gl = render->gl;
-    frame_use(render, framebuffer);
-    gl->Enable(GL_DEPTH_TEST);
-    gl->DepthFunc(test);
-    if (render->zero_to_one)
-        gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-}
-
-void pass_surface_end(const Render *render)
-{
-    const GlContext *gl = render->gl;
-    if (render->zero_to_one)
-        gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    gl->DepthFunc(GL_LESS);
-    gl->Disable(GL_DEPTH_TEST);
 }
 
 /* First which surfaces rays meet, then what these are made of: whatever else is nearer comes over them. */
@@ -61,42 +44,31 @@ void pass_surface_draw(Render *render)
 {
     const bool numbers = facet_lights_seen(render) && !render->exact.seen;
     const Framebuffer *framebuffer = &render->draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
-    pass_surface_begin(render, framebuffer, GL_GREATER);
+    surface_draw_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
     pass_exact_begin(render);
-    if (render->cache.tracing && volume_view_has_scene(render))
+    if (render->cache.tracing && surface_draw_is_shown(render))
         draw_traced(render, framebuffer);
-    volume_view_draw_surfaces(render, false);
-    pass_surface_end(render);
+    surface_draw_objects(render, false);
+    surface_draw_end(render);
     render->exact.seen |= numbers;
-}
-
-void pass_plane_planes(Render *render, bool transparent)
-{
-    for (int i = 0; i < render->cache.plane_count; i++) {
-        CachePlane *plane = &render->cache.planes[i];
-        if (plane->transparent != transparent)
-            continue;
-        material_use(&plane->material);
-        screen_draw(render->gl, &render->screen);
-    }
 }
 
 void pass_plane_draw(Render *render)
 {
-    pass_surface_begin(render, &render->draws[FRAME_DRAW_surface], GL_GREATER);
-    pass_plane_planes(render, false);
-    pass_surface_end(render);
+    surface_draw_begin(render, &render->draws[FRAME_DRAW_surface], GL_GREATER);
+    surface_draw_planes(render, false);
+    surface_draw_end(render);
 }
 
 /* Every depth of the triangle is 0, whatever clip space it comes from. */
 void pass_sky_draw(Render *render)
 {
     const GlContext *gl = render->gl;
-    pass_surface_begin(render, &render->draws[FRAME_DRAW_sky], GL_EQUAL);
+    surface_draw_begin(render, &render->draws[FRAME_DRAW_sky], GL_EQUAL);
     gl->DepthRange(0, 0);
     material_use(&render->cache.sky);
     screen_draw(gl, &render->screen);
     gl->DepthRange(0, 1);
-    pass_surface_end(render);
+    surface_draw_end(render);
 }

@@ -1,7 +1,15 @@
 /* The renderer as its caller sees it: what is made when, and what is read. */
 #include "runtime/render/render.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_motion.h"
+#include "runtime/indirect/voxels.h"
+#include "runtime/light/light_far.h"
+#include "runtime/picture/picture.h"
 #include "runtime/render/frame_memory.h"
-#include "runtime/render/light_far.h"
+#include "runtime/render/passes.h"
+#include "runtime/shadow/exact.h"
+#include "runtime/shadow/shadow.h"
+#include "runtime/shadow/volume.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -182,6 +190,9 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
         return false;
     if (shadow_sheet_needed(render))
         render->transparency = TRANSPARENCY_peeling;
+    render->number = exact_lights_number(render)  ? EXACT_NUMBER_numbers
+                     : facet_lights_write(render) ? EXACT_NUMBER_facets
+                                                  : EXACT_NUMBER_none;
     const CacheSource source = frame_source(render);
     return cache_make(render->store, &source, before, &render->cache) && shadow_make_views(render) &&
            pass_exact_make(render) && frame_make(render) && make_reader(render);

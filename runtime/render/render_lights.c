@@ -1,5 +1,5 @@
 /* What lights are, as far as programs, maps and targets are made by it: a change of that makes them anew. */
-#include "runtime/render/frame.h"
+#include "runtime/render/passes.h"
 #include <stdlib.h>
 #include <string.h>
 

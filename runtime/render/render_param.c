@@ -1,5 +1,10 @@
 /* Params of materials: set in what is drawn with, and kept, so that they are set again where that is made again. */
-#include "runtime/render/frame.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/radiance.h"
+#include "runtime/indirect/voxels.h"
+#include "runtime/render/passes.h"
+#include "runtime/render/render.h"
+#include "runtime/shadow/shadow.h"
 #include <stdlib.h>
 #include <string.h>
 

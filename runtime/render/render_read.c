@@ -1,5 +1,8 @@
 /* What is read of a frame. The picture comes without samples; of any other view their mean is taken here. */
-#include "runtime/render/frame.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/voxels.h"
+#include "runtime/render/passes.h"
+#include "runtime/render/render.h"
 #include <stdlib.h>
 #include <string.h>
 

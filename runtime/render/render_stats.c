@@ -1,10 +1,17 @@
 /* What runs, in words: the passes and their targets, and what they took. */
 #include "compiler/base/session.h"
 #include "runtime/gl/clock.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/voxels.h"
+#include "runtime/light/light_far.h"
 #include "runtime/render/displaced_stats.h"
-#include "runtime/render/frame.h"
-#include "runtime/render/light_far.h"
-#include "runtime/render/soft_views.h"
+#include "runtime/render/passes.h"
+#include "runtime/render/render.h"
+#include "runtime/shadow/exact.h"
+#include "runtime/shadow/shadow.h"
+#include "runtime/shadow/silhouette.h"
+#include "runtime/shadow/volume.h"
+#include "runtime/sight/soft_views.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -169,6 +169,7 @@ const char *scene_volume_name(Word word);
 /* All lights that cast shadows do so by this method; an Area by map, unless that is none. */
 void scene_lights_shadow(Scene *scene, Word method);
 /* The same as of Shadows, of the list Indirect. */
+bool scene_indirect_is(const Scene *scene); /* it has indirect light */
 bool scene_indirect_find(const char *name, Word *method);
 const char *scene_indirect_name(Word word);
 /* The random number that materials know the object of that index by: objectRandom of formulas. In [0, 1), in steps of 2^-24: of object 0 .8833, from the generator

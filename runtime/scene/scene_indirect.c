@@ -47,6 +47,11 @@ const char *scene_indirect_name(Word word)
     return word_table[word].list == PARAM_Indirect ? word_table[word].name : NULL;
 }
 
+bool scene_indirect_is(const Scene *scene)
+{
+    return scene->indirect.rays > 0 && scene->indirect.method != WORD_Indirect_none;
+}
+
 bool scene_indirect_find(const char *name, Word *method)
 {
     for (int i = 0; i < WORD_COUNT; i++)

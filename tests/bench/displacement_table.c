@@ -2,7 +2,8 @@
  * camera has moved, so that all is divided, moved and drawn again; what stands in a buffer is drawn alone. */
 #include "displacement.h"
 #include "matbench.h"
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
+#include "runtime/render/render.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

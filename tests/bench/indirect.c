@@ -1,4 +1,5 @@
 /* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is: indirect_path.c; what passes take: indirect_passes.c; the thesis' tables: indirect_table.c. */
+#include "runtime/indirect/voxels.h"
 #include "indirect_passes.h"
 #include "indirect_path.h"
 #include "indirect_table.h"

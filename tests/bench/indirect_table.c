@@ -3,7 +3,7 @@
 #include "indirect_table.h"
 #include "matbench.h"
 #include "shadows_scene.h"
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
 #include "runtime/scene/model.h"
 #include "tests/meshes/meshes.h"
 #include <math.h>

@@ -12,7 +12,7 @@
 #include "runtime/cache/view_space.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
-#include "runtime/render/surface_model.h"
+#include "runtime/surface/surface_model.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Two pictures of the same points, and what tests/frame/boundary.h makes of them. */
 #include "shadows_error.h"
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
 #include "tests/frame/boundary.h"
 #include <math.h>
 #include <stdio.h>

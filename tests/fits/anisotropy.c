@@ -1,4 +1,4 @@
-/* Prints the polynomials of runtime/render/surface_anisotropic.glsl, and how far they are from the integrals that they are fitted to: of GGX whose widths are
+/* Prints the polynomials of runtime/surface/surface_anisotropic.glsl, and how far they are from the integrals that they are fitted to: of GGX whose widths are
  * a along a direction and b across it, what facets lose and the fifth root of what grazes.
  *
  *     build/tests/fit_anisotropy          # half a minute

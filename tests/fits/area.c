@@ -1,4 +1,4 @@
-/* Prints the polynomials of areaFacets() in runtime/render/surface_facets.glsl: linearly transformed cosines that stand for GGX (Heitz, Dupuy, Hill and Neubelt 2016), by
+/* Prints the polynomials of areaFacets() in runtime/surface/surface_facets.glsl: linearly transformed cosines that stand for GGX (Heitz, Dupuy, Hill and Neubelt 2016), by
  * roughness and the eye's angle, and how far they are from those that were found.
  *
  *     build/tests/fit_area          # a minute

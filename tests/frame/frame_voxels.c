@@ -1,3 +1,4 @@
+#include "runtime/indirect/voxels.h"
 #include "tests/frame/frame_voxels.h"
 #include "tests/frame/frame_draw.h"
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /* Scenes as voxels, for tests. */
 #ifndef MATC_FRAME_VOXELS_H
 #define MATC_FRAME_VOXELS_H
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
 
 /* Objects, as lines of a document's list: closed, each in its place, one of them mirrored; */
 #define FRAME_VOXELS_BODIES                                                                                            \

@@ -1,6 +1,6 @@
 /* A document with spheres where the casters stand, which become the mesh. Each pixel is judged at the point that its ray meets, in double. */
 #include "tests/frame/shadow_ends.h"
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
 #include "tests/frame/boundary.h"
 #include "tests/frame/shadow_ray.h"
 #include <math.h>

@@ -1,3 +1,4 @@
+#include "runtime/indirect/voxels.h"
 #include "tests/frame/voxel_points.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Rays from many points through the voxels of a scene, as a pass over all of them, for tests and benchmarks. */
 #ifndef MATC_VOXEL_POINTS_H
 #define MATC_VOXEL_POINTS_H
-#include "runtime/render/frame.h"
+#include "runtime/frame/frame.h"
 
 enum { VOXEL_POINTS_TEXELS = 4 };
 

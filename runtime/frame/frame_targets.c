@@ -1,0 +1,173 @@
+/* Names and textures of a frame's targets; drawing to them; and what the cache is made of. */
+#include "runtime/frame/frame.h"
+#include <string.h>
+
+static const char *const names[FRAME_TARGET_COUNT] = {
+    "depth",   "gbuffer", "traced", "shadow", "voxels", "cubes", "mesh", "radiance", "seen",    "lists",    "far",   "light", "rays",
+    "history", "smooth",  "open",   "edge",   "mask",  "layer",    "layer.z", "layer.id", "tools", "shown"};
+
+const char *frame_target_name(FrameTarget target) { return names[target]; }
+
+const char *frame_format(const Render *render, FrameTarget target, int texture)
+{
+    return render->forms[target].formats[texture];
+}
+
+static const struct {
+    const char *format;
+    int bytes;
+} sizes[] = {{"DEPTH32F", 4}, {"DEPTH32F_STENCIL8", 8}, {"R8", 1},       {"RGBA8", 4},
+             {"RGBA16", 8},   {"RGBA16F", 8},           {"RGBA32F", 16}, {"R32UI", 4},
+             {"RG32UI", 8},   {"RGBA32UI", 16},         {"RGBA16UI", 8}};
+enum { DEPTH_SIZES = 2, SIZE_COUNT = sizeof sizes / sizeof *sizes };
+
+/* The format's row. */
+static int size_of(const char *format)
+{
+    int i = 0;
+    while (strcmp(sizes[i].format, format) != 0)
+        i++;
+    return i;
+}
+
+/* Of one class are formats of as many bytes, where the driver has views of one as another; else those that are the same. Depth is by itself. */
+static int class_of(const Render *render, const char *format)
+{
+    const int size = size_of(format);
+    int first = DEPTH_SIZES;
+    if (size < DEPTH_SIZES || !framebuffer_has_views(render->gl))
+        return size;
+    while (sizes[first].bytes != sizes[size].bytes)
+        first++;
+    return first;
+}
+
+/* What is smaller than other targets shares memory with its like alone. */
+FramePlanTarget frame_plan_target(const Render *render, FrameTarget target)
+{
+    const int apart = render->forms[target].coarse == 1 ? 0 : target == FRAME_TARGET_shown ? SIZE_COUNT : 2 * SIZE_COUNT;
+    FramePlanTarget made = {0};
+    const char *format;
+    while (made.count < FRAME_PLAN_TEXTURES && (format = frame_format(render, target, made.count)))
+        made.classes[made.count++] = class_of(render, format) + apart;
+    return made;
+}
+
+int frame_bytes(const Render *render, FrameTarget target)
+{
+    int bytes = 0;
+    for (int t = 0; frame_format(render, target, t); t++)
+        bytes += sizes[size_of(frame_format(render, target, t))].bytes;
+    return bytes;
+}
+
+int frame_edge(const Render *render, FrameTarget target, int axis)
+{
+    const int coarse = render->forms[target].coarse;
+    return (render->size[axis] + coarse - 1) / coarse;
+}
+
+/* A texture of a target before it lies in the piece. */
+static bool is_taken(const FramePlan *plan, int target, int piece)
+{
+    for (int k = 0; k < target; k++)
+        for (int t = 0; t < FRAME_PLAN_TEXTURES; t++)
+            if (plan->memory[k][t] == piece)
+                return true;
+    return false;
+}
+
+int frame_shared_bytes(const Render *render, FrameTarget target)
+{
+    const FramePlan *plan = &render->plan;
+    int bytes = 0;
+    for (int t = 0; t < FRAME_PLAN_TEXTURES && plan->memory[target][t] >= 0; t++)
+        if (is_taken(plan, (int)target, plan->memory[target][t]))
+            bytes += sizes[size_of(frame_format(render, target, t))].bytes;
+    return bytes;
+}
+
+/* Those of a target that is smaller are spread over what a pixel of it stands for. */
+int frame_plan_bytes(const Render *render)
+{
+    int bytes = 0;
+    for (int i = 0; i < FRAME_TARGET_COUNT; i++)
+        if (render->plan.memory[i][0] >= 0) {
+            const int added = frame_bytes(render, (FrameTarget)i) - frame_shared_bytes(render, (FrameTarget)i);
+            const int coarse = render->forms[i].coarse, pixels = coarse * coarse;
+            bytes += (added + pixels - 1) / pixels;
+        }
+    return bytes;
+}
+
+GLuint frame_texture(const Render *render, FrameTarget target, int texture)
+{
+    return render->textures[target][texture];
+}
+
+/* The targets of each: colours, then the depth that is with them, or -1. */
+static const struct {
+    FrameTarget color;
+    int depth;
+} draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+                             [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+                             [FRAME_DRAW_traced] = {FRAME_TARGET_traced, FRAME_TARGET_depth},
+                             [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
+                             [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
+                             [FRAME_DRAW_positions] = {FRAME_TARGET_positions, FRAME_TARGET_layer_depth},
+                             [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
+                             [FRAME_DRAW_rays] = {FRAME_TARGET_rays, -1},
+                             [FRAME_DRAW_smooth] = {FRAME_TARGET_smooth, -1},
+                             [FRAME_DRAW_open] = {FRAME_TARGET_open, -1},
+                             [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
+                             [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
+                             [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
+
+/* Behind those of a target. */
+static void add_colors(const Render *render, FrameTarget target, FramebufferSpec *spec, FramebufferTextures *textures)
+{
+    const char *format;
+    for (int i = 0; spec->color_count < FRAMEBUFFER_COLORS && (format = frame_format(render, target, i)); i++) {
+        textures->formats[spec->color_count] = format;
+        textures->colors[spec->color_count++] = frame_texture(render, target, i);
+    }
+}
+
+bool frame_make_draw(Render *render, FrameDraw draw)
+{
+    const FrameTarget color = draws[draw].color;
+    const int depth = draws[draw].depth;
+    const bool deep = depth >= 0;
+    const unsigned there = render->plan.there;
+    FramebufferTextures textures = {.depth = deep ? frame_texture(render, (FrameTarget)depth, 0) : 0,
+                                    .stencil = draw == FRAME_DRAW_mask};
+    FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, deep};
+    if (!(there >> color & 1) || (deep && !(there >> depth & 1)) ||
+        (draw == FRAME_DRAW_seen && !(there >> FRAME_TARGET_seen & 1)))
+        return true; /* nobody draws there */
+    add_colors(render, color, &spec, &textures);
+    if (draw == FRAME_DRAW_seen)
+        add_colors(render, FRAME_TARGET_seen, &spec, &textures);
+    return framebuffer_make_around(render->gl, &spec, &textures, &render->draws[draw]);
+}
+
+void frame_use(const Render *render, const Framebuffer *framebuffer)
+{
+    framebuffer_use(render->gl, framebuffer);
+    render->gl->Viewport(-render->at[0], -render->at[1], render->whole[0], render->whole[1]);
+}
+
+CacheSource frame_source(const Render *render)
+{
+    return (CacheSource){render->scene,
+                         &render->set,
+                         &render->space,
+                         render->options.unculled ? NULL : &render->volume,
+                         &render->volume,
+                         render->whole,
+                         &render->compile,
+                         render->triangles,
+                         render->transparency,
+                         render->number,
+                         render->look && render->look->scene == VOLUME_VIEW_lines};
+}

@@ -1,0 +1,87 @@
+/* What the passes of transparent surfaces share. */
+#include "runtime/frame/frame.h"
+#include <string.h>
+
+/* The most memory of a buffer of fragments: the driver's, or this. */
+enum { LISTS_MOST = 1 << 30 };
+
+static bool is_there(const Cache *cache)
+{
+    return cache->surface_count > cache->opaque_count || cache->plane_count > cache->opaque_plane_count;
+}
+
+bool transparency_is(const Render *render, Transparency way)
+{
+    return is_there(&render->cache) && render->transparency == way && surface_draw_is_shown(render);
+}
+
+void transparency_set(Render *render, const char *name, float number)
+{
+    for (int i = 0; i < render->cache.kind_count; i++)
+        if (render->cache.kinds[i].transparent)
+            material_set_number(&render->cache.kinds[i].material, name, number);
+    for (int i = 0; i < render->cache.plane_count; i++)
+        if (render->cache.planes[i].transparent)
+            material_set_number(&render->cache.planes[i].material, name, number);
+}
+
+bool transparency_units(Render *render, int units[2])
+{
+    const Cache *cache = &render->cache;
+    int most = 0;
+    for (int i = 0; i < cache->kind_count; i++)
+        if (cache->kinds[i].transparent && cache->kinds[i].material.texture_count > most)
+            most = cache->kinds[i].material.texture_count;
+    for (int i = 0; i < cache->plane_count; i++)
+        if (cache->planes[i].transparent && cache->planes[i].material.texture_count > most)
+            most = cache->planes[i].material.texture_count;
+    for (int i = 0; i < 2; i++)
+        units[i] = render->gl->max_texture_units - 2 + i;
+    return most <= units[0] ||
+           gl_fail(render->gl, "a transparent material has %d textures, and the driver room for %d", most, units[0]);
+}
+
+bool transparency_has_lists(const GlContext *gl)
+{
+    return gl->major * 10 + gl->minor >= 43 && gl->BindBufferBase && gl->ClearBufferSubData && gl->MemoryBarrier;
+}
+
+bool transparency_check(GlContext *gl, const RenderOptions *options)
+{
+    const char *way = options->transparency;
+    if (way && strcmp(way, "auto") != 0 && strcmp(way, "lists") != 0 && strcmp(way, "peeling") != 0)
+        return gl_fail(gl, "transparency is auto, lists or peeling, not '%s'", way);
+    return !way || strcmp(way, "lists") != 0 || transparency_has_lists(gl) ||
+           gl_fail(gl, "lists of fragments take OpenGL 4.3");
+}
+
+Transparency transparency_first(const Render *render)
+{
+    const char *way = render->options.transparency;
+    return (way && !strcmp(way, "peeling")) || !transparency_has_lists(render->gl) ? TRANSPARENCY_peeling
+                                                                                   : TRANSPARENCY_lists;
+}
+
+bool transparency_falls_back(const Render *render)
+{
+    const char *way = render->options.transparency;
+    return render->lists.full && (!way || strcmp(way, "lists") != 0);
+}
+
+void transparency_put_lists(Text *out, const Render *render)
+{
+    if (render->lists.buffer)
+        text_format(out, "%-8s  %-24s  4, and %d a fragment: %lu bytes for %lu\n", "lists", "a buffer",
+                    4 * transparency_stride(&render->set), (unsigned long)render->lists.bytes,
+                    (unsigned long)render->lists.fragments);
+    else
+        text_format(out, "%-8s  %-24s  not there\n", "lists", "a buffer");
+}
+
+size_t transparency_most_bytes(const Render *render)
+{
+    GLint most = 0;
+    const size_t wanted = render->options.list_bytes ? render->options.list_bytes : LISTS_MOST;
+    render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    return (size_t)most < wanted ? (size_t)most : wanted;
+}

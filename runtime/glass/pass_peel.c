@@ -1,0 +1,142 @@
+/* The pass peel: transparent surfaces layer by layer, from the farthest, each lit and laid over the light. From the back, so that a layer
+ * needs no memory of those in front of it. Its GLSL is peel_layer.glsl, around the materials' own, and pass_peel.glsl. */
+#include "runtime/glass/glass.h"
+#include "runtime/picture/picture.h"
+
+extern const char render_text_pass_peel[];
+
+bool pass_peel_needed(const Render *render) { return transparency_is(render, TRANSPARENCY_peeling); }
+
+static const GLuint nothing[4] = {~0u, ~0u, ~0u, ~0u};
+
+/* The layer's G-buffer, and behind it the keys. */
+static bool make_layer(Render *render, int number)
+{
+    FramebufferTextures textures = {.depth = frame_texture(render, FRAME_TARGET_layer_depth, 0)};
+    FramebufferSpec spec = {render->size[0], render->size[1], 0, 0, true};
+    for (const char *format; (format = frame_format(render, FRAME_TARGET_layer, spec.color_count));
+         spec.color_count++) {
+        textures.formats[spec.color_count] = format;
+        textures.colors[spec.color_count] = frame_texture(render, FRAME_TARGET_layer, spec.color_count);
+    }
+    if (spec.color_count == FRAMEBUFFER_COLORS)
+        return gl_fail(render->gl, "the layout's %d targets leave none for peeling", spec.color_count);
+    textures.formats[spec.color_count] = frame_format(render, FRAME_TARGET_layer_keys, number);
+    textures.colors[spec.color_count++] = frame_texture(render, FRAME_TARGET_layer_keys, number);
+    return framebuffer_make_around(render->gl, &spec, &textures, &render->layers[number]);
+}
+
+/* Triangles of an object, at most. */
+static int most_triangles(const Cache *cache)
+{
+    int most = 1;
+    for (int i = cache->opaque_count; i < cache->surface_count; i++) {
+        const int triangles = cache->meshes[cache->surfaces[i].mesh].index_count / 3;
+        most = triangles > most ? triangles : most;
+    }
+    return most;
+}
+
+/* A fragment is known by its object's place and its triangle, as one number. Programs that draw instances know the place. */
+static bool number_objects(Render *render)
+{
+    Cache *cache = &render->cache;
+    const long stride = most_triangles(cache) / TRANSPARENCY_STRIDE + 1,
+               objects = cache->place_count + cache->plane_count;
+    transparency_set(render, "peel_stride", (float)stride);
+    for (int i = cache->instances ? cache->place_count : 0; i < cache->place_count; i++)
+        material_set_number(&cache->kinds[cache->places[i].kind].material, "peel_object", (float)i);
+    for (int i = 0; i < cache->plane_count; i++)
+        material_set_number(&cache->planes[i].material, "peel_object", (float)(cache->place_count + i));
+    return objects <= UINT32_MAX / TRANSPARENCY_STRIDE / stride ||
+           gl_fail(render->gl, "%ld objects of up to %d triangles are more than peeling can tell apart", objects,
+                   most_triangles(cache));
+}
+
+static void draw_layer(Render *render, int number)
+{
+    static const float nearest[4] = {1};
+    const GlContext *gl = render->gl;
+    const GLuint behind = frame_texture(render, FRAME_TARGET_layer_keys, !number);
+    surface_draw_begin(render, &render->layers[number], GL_LEQUAL);
+    gl->ClearBufferuiv(GL_COLOR, render->layers[number].spec.color_count - 1, nothing);
+    gl->ClearBufferfv(GL_DEPTH, 0, nearest);
+    texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), render->peel_units[0]);
+    texture_bind(gl, behind, render->peel_units[1]);
+    surface_draw_objects(render, true);
+    surface_draw_planes(render, true);
+    surface_draw_end(render);
+}
+
+/* Nothing lies behind the first layer. */
+static void begin_layers(Render *render)
+{
+    static const GLuint none[4] = {0, ~0u};
+    framebuffer_use(render->gl, &render->layers[1]);
+    render->gl->ClearBufferuiv(GL_COLOR, render->layers[1].spec.color_count - 1, none);
+}
+
+/* Layers, until one has no fragment. The most of all tiles. */
+static bool count_layers(Render *render)
+{
+    GlContext *gl = render->gl;
+    GLuint query = 0, fragments = 1;
+    int count = 0;
+    gl->GenQueries(1, &query);
+    begin_layers(render);
+    while (fragments) {
+        gl->BeginQuery(GL_SAMPLES_PASSED, query);
+        draw_layer(render, count % 2);
+        gl->EndQuery(GL_SAMPLES_PASSED);
+        gl->GetQueryObjectuiv(query, GL_QUERY_RESULT, &fragments);
+        count += fragments > 0;
+    }
+    gl->DeleteQueries(1, &query);
+    if (count > render->layer_count)
+        render->layer_count = count;
+    return gl_check(gl, "counting transparent layers");
+}
+
+bool pass_peel_count(Render *render, FrameCount step)
+{
+    if (step == FRAME_COUNT_begin)
+        render->layer_count = 0;
+    if (step == FRAME_COUNT_tile)
+        return count_layers(render);
+    return step != FRAME_COUNT_again;
+}
+
+bool pass_peel_make(Render *render)
+{
+    const LightingText text = {{render_text_pass_peel}, true, 0, LIGHTING_layers},
+                       veil = {{"#define VEIL\n", render_text_pass_peel}, true, 0, LIGHTING_layers};
+    if (!make_layer(render, 0) || !make_layer(render, 1) || !lighting_make(render, &text, &render->peel) ||
+        !pass_tools_make_veil(render, &veil) || !transparency_units(render, render->peel_units) ||
+        !number_objects(render))
+        return false;
+    screen_pass_sampler(&render->peel, "peel_keys", LIGHTING_FREE_UNIT);
+    if (pass_tools_are_there(render))
+        screen_pass_sampler(&render->tools.veil, "peel_keys", LIGHTING_FREE_UNIT);
+    transparency_set(render, "peel_depth", (float)render->peel_units[0]);
+    transparency_set(render, "peel_behind", (float)render->peel_units[1]);
+    return true;
+}
+
+void pass_peel_draw(Render *render)
+{
+    begin_layers(render);
+    for (int i = 0; i < render->layer_count; i++) {
+        draw_layer(render, i % 2);
+        const GLuint keys = frame_texture(render, FRAME_TARGET_layer_keys, i % 2);
+        lighting_run(render, &(LightingSource){FRAME_TARGET_layer, FRAME_TARGET_layer_depth, keys}, &render->peel);
+        pass_tools_draw_veil(render);
+    }
+}
+
+void pass_peel_delete(Render *render)
+{
+    screen_pass_delete(&render->peel);
+    for (int i = 0; i < 2; i++)
+        framebuffer_delete(render->gl, &render->layers[i]);
+    render->layer_count = 0;
+}

@@ -1,0 +1,223 @@
+/* What moved since rays were kept. Of each object of a scene that keeps them, its matrix of that time; objects that stand elsewhere now are drawn once more, where they are seen, as
+ * numbers of their motions. Where nothing moves, nothing of that runs. */
+#include "runtime/indirect/indirect_motion.h"
+#include "runtime/frame/frame.h"
+#include "runtime/indirect/voxels.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_shadow_depth[], render_text_indirect_motion[];
+
+enum { DEPTH_UNIT = 0 /* where samplers look that nobody told */ };
+
+static bool make_number(Render *render, IndirectMotion *motion)
+{
+    const char *head = render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 330 core\n";
+    const ProgramText text = {.vertex = {head, render_text_shadow_depth},
+                              .fragment = {head, render_text_indirect_motion}};
+    return material_make(render->store, NULL, &text, &motion->number);
+}
+
+bool indirect_motion_make(Render *render)
+{
+    IndirectMotion *motion = &render->indirect.motion;
+    const Scene *scene = render->scene;
+    if (!scene->indirect.history)
+        return true;
+    motion->kept = malloc((size_t)scene->object_count * sizeof *motion->kept + 1);
+    if (!motion->kept)
+        return gl_fail(render->gl, "out of memory");
+    motion->first = 0;
+    motion->end = scene->object_count;
+    indirect_motion_end(render);
+    return true;
+}
+
+void indirect_motion_delete(Render *render)
+{
+    IndirectMotion *motion = &render->indirect.motion;
+    free(motion->kept);
+    material_delete(&motion->number);
+    framebuffer_delete(render->gl, &motion->seen);
+    *motion = (IndirectMotion){.kept = NULL};
+}
+
+void indirect_motion_add(Render *render, int first, int count)
+{
+    IndirectMotion *motion = &render->indirect.motion;
+    if (!motion->kept || !count)
+        return;
+    const bool none = motion->first >= motion->end;
+    motion->first = none || first < motion->first ? first : motion->first;
+    motion->end = none || first + count > motion->end ? first + count : motion->end;
+}
+
+void indirect_motion_end(Render *render)
+{
+    IndirectMotion *motion = &render->indirect.motion;
+    for (int i = motion->first; motion->kept && i < motion->end; i++)
+        motion->kept[i] = render->scene->objects[i].world_from_local;
+    motion->first = motion->end = 0;
+}
+
+/* -- boxes */
+
+static const VoxelRange everywhere = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+
+static bool meet(const VoxelRange *a, const VoxelRange *b)
+{
+    for (int k = 0; k < 3; k++)
+        if (a->low[k] > b->high[k] || b->low[k] > a->high[k])
+            return false;
+    return true;
+}
+
+/* Into the first box that it meets, or one of its own; into the last one where there is no room. */
+static void add_box(const VoxelRange *added, VoxelRange *boxes, int *count)
+{
+    int i = 0;
+    while (i < *count && !meet(added, &boxes[i]))
+        i++;
+    if (i == *count && *count < INDIRECT_BOXES_MOST) {
+        boxes[(*count)++] = *added;
+        return;
+    }
+    VoxelRange *box = &boxes[i < *count ? i : *count - 1];
+    for (int k = 0; k < 3; k++) {
+        box->low[k] = fmin(box->low[k], added->low[k]);
+        box->high[k] = fmax(box->high[k], added->high[k]);
+    }
+}
+
+/* Planes have no end. */
+static VoxelRange range_of(const Render *render, int object, const SceneMatrix *matrix)
+{
+    const int place = render->cache.place_of[object];
+    VoxelRange range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    if (place < 0)
+        return everywhere;
+    voxel_grid_add(&render->cache.boxes[render->cache.places[place].mesh], matrix, &range);
+    return range;
+}
+
+static void put_boxes(const VoxelRange *boxes, int count, IndirectMoved *moved)
+{
+    moved->counts[0] = (float)count;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            moved->boxes[i][0][k] = (float)fmax(boxes[i].low[k], -1e30);
+            moved->boxes[i][1][k] = (float)fmin(boxes[i].high[k], 1e30);
+        }
+}
+
+/* -- motions */
+
+/* Of a box's middle, from where one matrix has it to where another does: turned by the eye's. */
+static void put_step(const double eye[16], const CullBox *box, const SceneMatrix *from, const SceneMatrix *to,
+                     float step[4])
+{
+    double world[3];
+    for (int k = 0; k < 3; k++) {
+        world[k] = to->m[12 + k] - from->m[12 + k];
+        for (int i = 0; i < 3; i++)
+            world[k] += (to->m[4 * i + k] - from->m[4 * i + k]) * (box->low[i] + box->high[i]) / 2;
+    }
+    for (int k = 0; k < 3; k++)
+        step[k] = (float)(eye[k] * world[0] + eye[4 + k] * world[1] + eye[8 + k] * world[2]);
+}
+
+/* was_eye_from_world * was_world_from_local * local_from_world * world_from_eye. False: nothing leads back to where it was. */
+static bool find_motion(const Render *render, const double was[16], int object, float columns[4][4])
+{
+    SceneMatrix before, eye, local_from_world, world_from_eye;
+    memcpy(before.m, was, sizeof before.m);
+    memcpy(eye.m, render->space.eye_from_world, sizeof eye.m);
+    if (!scene_matrix_invert(&render->scene->objects[object].world_from_local, &local_from_world) ||
+        !scene_matrix_invert(&eye, &world_from_eye))
+        return false;
+    const SceneMatrix left = scene_matrix_multiply(&before, &render->indirect.motion.kept[object]);
+    const SceneMatrix right = scene_matrix_multiply(&local_from_world, &world_from_eye);
+    const SceneMatrix all = scene_matrix_multiply(&left, &right);
+    for (int i = 0; i < 16; i++)
+        columns[i / 4][i % 4] = (float)all.m[i];
+    return true;
+}
+
+static void draw_number(Render *render, int object, int number)
+{
+    Material *material = &render->indirect.motion.number;
+    const SceneMatrix *world_from_local = &render->scene->objects[object].world_from_local;
+    const CachePlace *place = &render->cache.places[render->cache.place_of[object]];
+    Spaces spaces = render->space.spaces;
+    for (int i = 0; i < 16; i++)
+        spaces.world_from_local.m[i] = (float)world_from_local->m[i];
+    spaces_set(&spaces, material);
+    material_set_number(material, "motion_number", (float)number);
+    material_use(material);
+    mesh_draw(render->gl, &render->cache.meshes[place->mesh]);
+}
+
+/* An object that is seen: as the next number, or as the one behind the last, of which no motion is known. */
+static void number_object(Render *render, const double was[16], int object, IndirectMoved *moved)
+{
+    const int next = (int)moved->counts[1], place = render->cache.place_of[object];
+    const SceneMatrix *matrix = &render->scene->objects[object].world_from_local;
+    if (place < 0 || render->cache.places[place].transparent)
+        return;
+    const CullBox *box = &render->cache.boxes[render->cache.places[place].mesh];
+    if (!cull_sees(&render->volume, box, matrix))
+        return;
+    const bool known = next < INDIRECT_MOTIONS_MOST && find_motion(render, was, object, moved->motions[next]);
+    if (known)
+        put_step(was, box, matrix, &render->indirect.motion.kept[object], moved->steps[next]);
+    moved->counts[1] += known;
+    draw_number(render, object, known ? next + 1 : INDIRECT_MOTIONS_MOST + 1);
+}
+
+static bool has_moved(const Render *render, int object)
+{
+    return memcmp(&render->indirect.motion.kept[object], &render->scene->objects[object].world_from_local,
+                  sizeof(SceneMatrix)) != 0;
+}
+
+/* The target; all 0. */
+static bool begin(Render *render, IndirectMotion *motion)
+{
+    static const GLuint none[4];
+    const FramebufferSpec spec = {.width = render->size[0], .height = render->size[1], .color_count = 1};
+    if (!motion->seen.name &&
+        (!make_number(render, motion) ||
+         !framebuffer_make_named(render->gl, &spec, (const char *const[]){"R32UI"}, &motion->seen)))
+        return false;
+    surface_draw_begin(render, &motion->seen, GL_ALWAYS);
+    render->gl->ClearBufferuiv(GL_COLOR, 0, none);
+    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), DEPTH_UNIT);
+    return true;
+}
+
+bool indirect_motion_draw(Render *render, const double was[16], IndirectMoved *moved)
+{
+    IndirectMotion *motion = &render->indirect.motion;
+    VoxelRange boxes[INDIRECT_BOXES_MOST];
+    int count = 0;
+    memset(moved->counts, 0, sizeof moved->counts);
+    for (int i = motion->first; motion->kept && i < motion->end; i++) {
+        if (!has_moved(render, i))
+            continue;
+        if (!count && !begin(render, motion)) {
+            boxes[count++] = everywhere; /* where nothing is known, nothing is trusted */
+            break;
+        }
+        const VoxelRange then = range_of(render, i, &motion->kept[i]);
+        const VoxelRange now = range_of(render, i, &render->scene->objects[i].world_from_local);
+        add_box(&then, boxes, &count);
+        add_box(&now, boxes, &count);
+        number_object(render, was, i, moved);
+    }
+    if (count)
+        surface_draw_end(render);
+    put_boxes(boxes, count, moved);
+    return count > 0;
+}

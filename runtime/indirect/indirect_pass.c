@@ -1,0 +1,169 @@
+/* What every pass of indirect_place.glsl takes: definitions, the block Indirect, textures. */
+#include "runtime/frame/frame.h"
+#include "runtime/indirect/blue_noise.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_sequence.h"
+#include "runtime/indirect/voxels.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Where a scene doesn't say: of a ray through the picture; of its NEAR first voxels, so that one is as long as a voxel, half of what the picture shows is thick. */
+enum { STEPS = 8, NEAR = 4, STEPS_NEAR = NEAR };
+
+/* Numbers of blue noise that a vector of the block has. */
+enum { BLOCK_HEAD = 5, RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED };
+
+/* A bit mask's lines are shifted by all of what is between them. */
+static IndirectSequence sequence_of(const Render *render)
+{
+    const SceneIndirect *in = &render->scene->indirect;
+    return (IndirectSequence){in->sequence, in->rotation,
+                              indirect_method(render) == WORD_Indirect_screen ? 1 : in->rays};
+}
+
+static bool turns_bits(const IndirectSequence *of)
+{
+    return of->rotation == WORD_Rotation_tile && of->sequence == WORD_Sequence_sobol;
+}
+
+/* Vectors of the block that hold shifts. */
+static int shifts_of(const IndirectSequence *of)
+{
+    const int edge = indirect_sequence_edge(of);
+    return of->rotation == WORD_Rotation_blue ? SHIFTS_MOST : edge * edge;
+}
+
+void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINITIONS])
+{
+    const SceneIndirect *in = &render->scene->indirect;
+    const bool uniform = in->distribution == WORD_Distribution_uniform, bent = indirect_shows(render, "bent");
+    const IndirectSequence sequence = sequence_of(render);
+    const bool near = indirect_method(render) == WORD_Indirect_hybrid;
+    char voxels[32] = "", turns[64] = "";
+    if (turns_bits(&sequence))
+        snprintf(turns, sizeof turns, "#define INDIRECT_TURNS_BITS\n#define INDIRECT_BLOCK %d\n",
+                 indirect_sequence_block(&sequence));
+    if (indirect_reads_voxels(render))
+        snprintf(voxels, sizeof voxels, "#define VOXEL_SIZE %d\n", render->scene->voxel_size);
+    snprintf(text, INDIRECT_DEFINITIONS,
+             "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
+             "#define INDIRECT_SAMPLES %d\n#define INDIRECT_TILE %d\n#define INDIRECT_SHIFTS %d\n"
+             "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
+             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s%s",
+             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE,
+             in->steps ? in->steps
+             : near    ? STEPS_NEAR
+                       : STEPS,
+             indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence), shifts_of(&sequence),
+             (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
+             coarse, indirect_filter_size(render, coarse), turns,
+             indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
+             uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
+                     : "#define INDIRECT_SHARE(cosine) 1.0\n",
+             in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
+             in->checked ? "#define INDIRECT_CHECKED\n" : "", near ? "#define INDIRECT_NEAR\n" : "",
+             in->bounces > 0 && !bent && !indirect_shows(render, "visibility") ? "#define INDIRECT_LIGHT\n" : "",
+             bent ? "#define INDIRECT_BENT\n" : "", voxels);
+}
+
+int indirect_filter_size(const Render *render, int coarse)
+{
+    const int widest = 8; /* pixels of the picture */
+    const SceneIndirect *in = &render->scene->indirect;
+    const IndirectSequence sequence = sequence_of(render);
+    const int edge = indirect_sequence_edge(&sequence);
+    if (in->filter == WORD_Filter_none || in->filter_size)
+        return in->filter == WORD_Filter_none ? 0 : in->filter_size;
+    const int tile = edge && edge < INDIRECT_SEQUENCE_TILE ? edge / 2 : INDIRECT_SEQUENCE_TILE / 2;
+    return tile * coarse > widest ? widest / coarse : tile;
+}
+
+const char *indirect_surface_text(const Render *render)
+{
+    return render->set.unpack ? render->set.unpack : "struct Surface { float nothing; };\n";
+}
+
+double indirect_near(const Render *render) { return NEAR * voxel_grid(render->scene, &render->cache).edge; }
+
+/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do. y: a voxel of the map may be off by its diagonal. zw: the pixel of the picture that a tile begins with. */
+static void set_models(const Render *render, float models[4])
+{
+    const double thick = 2, part = .5; /* voxels, but the last */
+    const SceneIndirect *in = &render->scene->indirect;
+    const bool voxels = indirect_reads_voxels(render);
+    const double edge = voxels ? voxel_grid(render->scene, &render->cache).edge : 0;
+    const double radius = indirect_radius(render->scene, &render->cache);
+    models[0] = voxels ? (float)indirect_near(render) : 0;
+    models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
+}
+
+/* The pass makes its shifts of ranks, 16 bits each, where the mask is blue noise; other masks are taken as they are. */
+static void put_shifts(const IndirectSequence *of, float (*block)[4])
+{
+    const int edge = indirect_sequence_edge(of);
+    for (int i = 0; i < edge * edge; i++) {
+        double shift[3];
+        if (of->rotation == WORD_Rotation_blue) {
+            const uint16_t rank = (uint16_t)blue_noise_rank(i % edge, i / edge);
+            memcpy((char *)block + sizeof rank * (size_t)i, &rank, sizeof rank);
+            continue;
+        }
+        indirect_sequence_shift(of, i % edge, i / edge, shift);
+        for (int k = 0; k < 3; k++)
+            block[i][k] = (float)shift[k];
+    }
+}
+
+/* Where no offset is said, rays begin so far off that the surface which they leave is not met: a place of it is up to sqrt(1/2) of a pixel beside the middle of
+ * its pixel, by which depth is off as by a lift of as much. */
+static void set_block(const Render *render, ScreenPass *pass)
+{
+    const double lift = .75, part = .05; /* of the radius, over which openness is taken to be flat */
+    const SceneIndirect *in = &render->scene->indirect;
+    const IndirectSequence sequence = sequence_of(render);
+    float block[BLOCK_HEAD + INDIRECT_RAYS_MOST + SHIFTS_MOST][4] = {{0}};
+    double samples[INDIRECT_RAYS_MOST][2];
+    memcpy(block[0], render->space.ray, sizeof block[0]);
+    memcpy(block[1], render->space.depth, sizeof block[1]);
+    block[2][0] = (float)indirect_radius(render->scene, &render->cache);
+    block[2][1] = (float)in->offset;
+    block[2][2] = in->offset > 0 ? 0 : (float)lift;
+    block[2][3] = (float)in->contrast;
+    set_models(render, block[3]);
+    for (int i = 0; i < 2; i++) {
+        const int beyond = render->whole[i] - render->at[i];
+        block[3][2 + i] = (float)render->at[i];
+        block[4][i] = (float)(beyond < render->size[i] ? beyond : render->size[i]);
+    }
+    block[4][3] = in->filter_size ? INFINITY : (float)(part * indirect_radius(render->scene, &render->cache));
+    indirect_sequence_samples(in->sequence, in->rays, samples);
+    for (int i = 0; i < in->rays; i++) {
+        for (int k = 0; k < 2; k++)
+            block[BLOCK_HEAD + i][k] = (float)samples[i][k];
+        block[BLOCK_HEAD + i][2] = (float)indirect_sequence_third(in->sequence, i);
+    }
+    put_shifts(&sequence, block + BLOCK_HEAD + in->rays);
+    material_write(&pass->material, "Indirect", block,
+                   sizeof *block * (size_t)(BLOCK_HEAD + in->rays + shifts_of(&sequence)));
+}
+
+void indirect_set(const Render *render, ScreenPass *pass)
+{
+    char name[] = "matc_gbuffer0";
+    if (!pass->material.store)
+        return;
+    for (int i = 0; set_format(&render->set, i); i++) {
+        name[sizeof name - 2] = (char)('0' + i);
+        screen_pass_sampler(pass, name, i);
+    }
+    screen_pass_sampler(pass, "indirect_depth", INDIRECT_DEPTH_UNIT);
+    set_block(render, pass);
+}
+
+void indirect_bind(const Render *render)
+{
+    for (int i = 0; frame_format(render, FRAME_TARGET_gbuffer, i); i++)
+        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_gbuffer, i), i);
+    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), INDIRECT_DEPTH_UNIT);
+}

@@ -1,0 +1,55 @@
+/* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_map.glsl and voxel_walk.glsl. */
+#include "runtime/frame/frame.h"
+#include "runtime/indirect/voxels.h"
+
+extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_pass_cubes[];
+
+bool pass_cubes_needed(const Render *render) { return voxels_view_level(render->options.view) >= 0; }
+
+bool pass_cubes_make(Render *render)
+{
+    const int level = voxels_view_level(render->options.view);
+    const ScreenPassText text = {.body = {render_text_voxel_map, render_text_voxel_walk, render_text_pass_cubes},
+                                 .format = frame_format(render, FRAME_TARGET_cubes, 0),
+                                 .compute = render->compute};
+    if (level >= render->voxels.levels)
+        return gl_fail(render->gl, "there is no view '%s': of %d voxels the last is voxels%d", render->options.view,
+                       render->voxels.grid.size, render->voxels.levels - 1);
+    if (!screen_pass_make(render->store, &text, &render->voxels.view))
+        return false;
+    material_set_number(&render->voxels.view.material, "cubes_level", (float)level);
+    pass_cubes_place(render);
+    return true;
+}
+
+static void set(Render *render, const char *name, const float values[4])
+{
+    material_set(&render->voxels.view.material, &(MaterialValue){name, 4, values});
+}
+
+void pass_cubes_place(Render *render)
+{
+    static const char *const names[4] = {"cubes_right", "cubes_up", "cubes_back", "cubes_eye"};
+    const SceneCamera *camera = &render->scene->camera;
+    const double *const axes[3] = {camera->right, camera->up, camera->back};
+    const VoxelGrid *grid = &render->voxels.grid;
+    if (!render->voxels.view.material.store)
+        return;
+    pass_voxels_set(render, 0, &render->voxels.view);
+    for (int i = 0; i < 4; i++) {
+        float lanes[4] = {0};
+        for (int k = 0; k < 3; k++)
+            lanes[k] = (float)((i < 3 ? axes[i][k] : camera->position[k] - grid->low[k]) / grid->edge);
+        set(render, names[i], lanes);
+    }
+    set(render, "cubes_ray", render->space.ray);
+    set(render, "cubes_view", render->space.depth);
+}
+
+void pass_cubes_draw(Render *render)
+{
+    pass_voxels_bind(render, 0);
+    screen_pass_run(&render->voxels.view, &render->draws[FRAME_DRAW_cubes], &render->screen);
+}
+
+void pass_cubes_delete(Render *render) { screen_pass_delete(&render->voxels.view); }

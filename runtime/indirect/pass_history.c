@@ -1,0 +1,189 @@
+/* The pass history: what rays found in frames before, kept for those after, in targets of its own, two of each in turns. Its GLSL is pass_history.glsl, behind
+ * indirect_place.glsl. Without it, none of this is there. */
+#include "runtime/frame/frame.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_motion.h"
+#include "runtime/indirect/voxels.h"
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_indirect_place[], render_text_pass_history[];
+
+enum { RAYS_UNIT = INDIRECT_FREE_UNIT, VALUES_UNIT, PLACES_UNIT, MOVED_UNIT, COUNTS = 64 };
+
+/* As in pass_history.glsl; what moved is there only if something did. */
+typedef struct {
+    float from_eye[4][4], world_from_eye[4][4], ray[4], view[4], limits[4], doubts[4];
+    IndirectMoved moved;
+} Block;
+
+static bool make_target(Render *render, Framebuffer *made)
+{
+    const FramebufferSpec spec = {.width = frame_edge(render, FRAME_TARGET_rays, 0),
+                                  .height = frame_edge(render, FRAME_TARGET_rays, 1),
+                                  .color_count = 1};
+    return framebuffer_make_named(render->gl, &spec, (const char *const[]){"RGBA32F"}, made);
+}
+
+static bool make_pass(Render *render, bool place, ScreenPass *pass)
+{
+    char defined[INDIRECT_DEFINITIONS], counts[COUNTS];
+    indirect_define(render, indirect_coarse(render), defined);
+    snprintf(counts, sizeof counts, "#define HISTORY_BOXES %d\n#define HISTORY_MOTIONS %d\n", INDIRECT_BOXES_MOST,
+             INDIRECT_MOTIONS_MOST);
+    const ScreenPassText text = {.body = {indirect_surface_text(render), defined,
+                                          place ? "#define HISTORY_PLACE\n" : "", counts, render_text_indirect_place,
+                                          render_text_pass_history},
+                                 .format = "RGBA32F",
+                                 .compute = render->compute};
+    if (!screen_pass_make(render->store, &text, pass))
+        return false;
+    screen_pass_sampler(pass, "history_rays", RAYS_UNIT);
+    screen_pass_sampler(pass, "history_values", VALUES_UNIT);
+    screen_pass_sampler(pass, "history_places", PLACES_UNIT);
+    screen_pass_sampler(pass, "history_moved", MOVED_UNIT);
+    indirect_set(render, pass);
+    return true;
+}
+
+bool pass_history_make(Render *render)
+{
+    IndirectHistory *history = &render->indirect.history;
+    bool done = make_pass(render, false, &history->blend) && make_pass(render, true, &history->place);
+    for (int i = 0; done && i < 2; i++)
+        done = make_target(render, &history->values[i]) && make_target(render, &history->places[i]);
+    return done && indirect_motion_make(render);
+}
+
+/* What undoes the eye's matrix: it turns and moves alone, so that the inverse of the turn is its transpose. */
+static void invert_eye(const double eye[16], double made[16])
+{
+    memset(made, 0, 16 * sizeof *made);
+    made[15] = 1;
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++) {
+            made[4 * column + row] = eye[4 * row + column];
+            made[12 + row] -= eye[4 * row + column] * eye[12 + column];
+        }
+}
+
+static void put_product(const double a[16], const double b[16], float made[4][4])
+{
+    for (int column = 0; column < 4; column++)
+        for (int row = 0; row < 4; row++) {
+            double sum = 0;
+            for (int k = 0; k < 4; k++)
+                sum += a[4 * k + row] * b[4 * column + k];
+            made[column][row] = (float)sum;
+        }
+}
+
+/* How far around what moved openness may be another, in the world's units: as far as rays go, and a voxel's diagonal. */
+static double reach_of(const Render *render)
+{
+    const double voxel = indirect_reads_voxels(render) ? voxel_grid(render->scene, &render->cache).edge : 0;
+    return indirect_radius(render->scene, &render->cache) + 2 * voxel;
+}
+
+static unsigned doubts_of(const Render *render)
+{
+    const bool shown = !indirect_reads_radiance(render); /* what the picture shows is another from each place */
+    return render->indirect.history.doubts | (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
+}
+
+static size_t fill_block(Render *render, Block *block)
+{
+    static const double one[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const IndirectHistory *history = &render->indirect.history;
+    const unsigned doubts = doubts_of(render);
+    double world_from_eye[16];
+    invert_eye(render->space.eye_from_world, world_from_eye);
+    put_product(one, world_from_eye, block->world_from_eye);
+    put_product(history->eye_from_world, world_from_eye, block->from_eye);
+    memcpy(block->ray, history->ray, sizeof block->ray);
+    memcpy(block->view, history->depth, sizeof block->view);
+    block->limits[0] = (float)indirect_most_sets(render);
+    block->limits[1] = history->there;
+    block->limits[2] = history->still;
+    block->doubts[0] = (doubts & INDIRECT_DOUBT_light) != 0;
+    block->doubts[1] = (doubts & INDIRECT_DOUBT_openness) != 0;
+    block->doubts[2] = (float)reach_of(render);
+    const bool moved = history->there && !history->still &&
+                       indirect_motion_draw(render, history->eye_from_world, &block->moved);
+    return moved ? sizeof *block : offsetof(Block, moved) + sizeof block->moved.counts;
+}
+
+/* One set of rays more. */
+static void blend(Render *render)
+{
+    IndirectHistory *history = &render->indirect.history;
+    const int next = 1 - history->last;
+    Block block = {.moved.counts = {0}};
+    const size_t size = fill_block(render, &block);
+    indirect_bind(render);
+    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_rays, 0), RAYS_UNIT);
+    texture_bind(render->gl, history->values[history->last].colors[0], VALUES_UNIT);
+    texture_bind(render->gl, history->places[history->last].colors[0], PLACES_UNIT);
+    texture_bind(render->gl, render->indirect.motion.seen.colors[0], MOVED_UNIT);
+    material_write(&history->blend.material, "History", &block, size);
+    material_write(&history->place.material, "History", &block, size);
+    screen_pass_run(&history->blend, &history->values[next], &render->screen);
+    screen_pass_run(&history->place, &history->places[next], &render->screen);
+    memcpy(history->eye_from_world, render->space.eye_from_world, sizeof history->eye_from_world);
+    memcpy(history->ray, render->space.ray, sizeof history->ray);
+    memcpy(history->depth, render->space.depth, sizeof history->depth);
+    history->last = next;
+    history->sets = history->still ? history->sets + 1 : 1;
+    history->number++;
+    history->there = history->still = true;
+    history->doubts = 0;
+    indirect_motion_end(render);
+}
+
+/* How far b is off, the mean of twice as many sets of rays as a: the second half's mean is 2 b - a, so b - a is half of what two means differ by that have nothing to do with each other, and that is
+ * about what the mean of both is off. */
+static double difference(const float *a, const float *b, size_t pixels)
+{
+    double sum = 0;
+    for (size_t i = 0; i < pixels; i++)
+        sum += ((double)b[4 * i + 3] - (double)a[4 * i + 3]) * ((double)b[4 * i + 3] - (double)a[4 * i + 3]);
+    return sqrt(sum / (double)pixels);
+}
+
+/* Asked when there are 1, 2, 4, ... sets: openness is as exact as is wanted. */
+static bool is_exact(Render *render, float *means[2])
+{
+    IndirectHistory *history = &render->indirect.history;
+    const Framebuffer *values = &history->values[history->last];
+    const size_t pixels = (size_t)values->spec.width * (size_t)values->spec.height;
+    float *before = means[0];
+    means[0] = means[1];
+    means[1] = before;
+    return framebuffer_read(render->gl, values, 0, means[1]) && history->sets > 1 &&
+           difference(means[0], means[1], pixels) <= render->scene->indirect.error;
+}
+
+void pass_history_draw(Render *render)
+{
+    IndirectHistory *history = &render->indirect.history;
+    const SceneIndirect *in = &render->scene->indirect;
+    const size_t pixels = (size_t)history->values[0].spec.width * (size_t)history->values[0].spec.height;
+    float *means[2] = {NULL, NULL};
+    if (indirect_is_done(render) || indirect_moves(render))
+        return;
+    if (in->error > 0)
+        for (int i = 0; i < 2; i++)
+            means[i] = calloc(pixels, 4 * sizeof **means);
+    for (int i = 0; i < in->samples && !indirect_is_done(render); i++) {
+        if (i)
+            pass_rays_draw(render);
+        blend(render);
+        if (means[0] && means[1] && !(history->sets & (history->sets - 1)))
+            history->exact = is_exact(render, means);
+    }
+    free(means[0]);
+    free(means[1]);
+}

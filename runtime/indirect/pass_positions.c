@@ -1,0 +1,114 @@
+/* The pass positions: a view of the points that the picture knows, as a mesh, from beside. It is drawn over a depth of its own, which the layers that are peeled have else. Its GLSL is
+ * positions_vertex.glsl and positions_fragment.glsl. */
+#include "runtime/frame/frame.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/voxels.h"
+#include <math.h>
+#include <string.h>
+
+extern const char render_text_positions_vertex[], render_text_positions_fragment[];
+
+#define PI 3.14159265358979323846
+
+/* From where: the camera goes around the middle of all objects, along its own right or up. */
+static const struct {
+    const char *name;
+    double right, up; /* degrees */
+} views[] = {{"positions", 60, 0}, {"positions1", 0, 60}, {"positions2", -60, 0}};
+enum { VIEWS = sizeof views / sizeof *views };
+
+static int view_of(const char *view)
+{
+    for (int i = 0; view && i < VIEWS; i++)
+        if (!strcmp(view, views[i].name))
+            return i;
+    return -1;
+}
+
+bool pass_positions_is_view(const char *view) { return view_of(view) >= 0; }
+bool pass_positions_needed(const Render *render) { return pass_positions_is_view(render->options.view); }
+
+static void set(Render *render, const char *name, const float values[4])
+{
+    material_set(&render->positions.material, &(MaterialValue){name, 4, values});
+}
+
+/* By columns: where the camera goes right, points go left before what they are turned around; y is up, z to the back. */
+static void set_turn(Render *render, double right, double up)
+{
+    const double a = right * PI / 180, b = up * PI / 180;
+    const float turn[9] = {(float)cos(a),         0,             (float)sin(a), 0, (float)cos(b), (float)sin(b),
+                           (float)-sin(a), (float)-sin(b), (float)(cos(a) * cos(b))};
+    material_set(&render->positions.material, &(MaterialValue){"positions_turn", 9, turn});
+}
+
+/* An orthographic camera's depth ends where the scene does as it sees it; turned, points are elsewhere. */
+static void set_clip(Render *render, const VoxelGrid *grid, const float middle[4])
+{
+    const float *m = render->space.spaces.clip_from_eye.m, *view = render->space.depth;
+    const float reach = view[0] + 2 * (float)(grid->edge * grid->size), scale = render->zero_to_one ? 1 : 2;
+    const float z = .5f * scale / reach, at = scale * (.5f - .5f * middle[2] / reach) - (scale - 1);
+    const bool flat = view[1] > 0;
+    set(render, "positions_clip", (float[]){m[0], m[5], flat ? z : m[10], flat ? at : m[14]});
+}
+
+void pass_positions_place(Render *render)
+{
+    const int view = view_of(render->options.view);
+    const float *m = render->space.spaces.clip_from_eye.m;
+    const double *e = render->space.eye_from_world;
+    float middle[4] = {0};
+    if (!render->positions.material.store)
+        return;
+    const VoxelGrid grid = voxel_grid(render->scene, &render->cache);
+    for (int row = 0; row < 3; row++) {
+        double at = e[12 + row];
+        for (int k = 0; k < 3; k++)
+            at += e[4 * k + row] * (grid.low[k] + .5 * grid.edge * grid.size);
+        middle[row] = (float)at;
+    }
+    set(render, "positions_middle", middle);
+    set(render, "positions_ray", render->space.ray);
+    set(render, "positions_view", render->space.depth);
+    set_clip(render, &grid, middle);
+    set(render, "positions_w", (float[]){m[11], m[15], 0, 0});
+    set_turn(render, views[view].right, views[view].up);
+}
+
+bool pass_positions_make(Render *render)
+{
+    const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
+    const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
+    const ProgramText text = {.vertex = {head, render_text_positions_vertex},
+                              .fragment = {head, render_text_positions_fragment}};
+    if (!material_make(render->store, NULL, &text, &render->positions.material))
+        return false;
+    render->gl->GenVertexArrays(1, &render->positions.array);
+    pass_positions_place(render);
+    return true;
+}
+
+void pass_positions_draw(Render *render)
+{
+    static const float none[4];
+    const GlContext *gl = render->gl;
+    const int squares = (render->size[0] - 1) * (render->size[1] - 1), vertices = 6;
+    surface_draw_begin(render, &render->draws[FRAME_DRAW_positions], GL_GREATER);
+    gl->ClearBufferfv(GL_COLOR, 0, none);
+    gl->ClearBufferfv(GL_DEPTH, 0, none);
+    texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), 0);
+    material_use(&render->positions.material);
+    gl->BindVertexArray(render->positions.array);
+    gl->Enable(GL_CULL_FACE); /* what shows its back: a wall through which one looks into a room */
+    gl->DrawArrays(GL_TRIANGLES, 0, vertices * squares);
+    gl->Disable(GL_CULL_FACE);
+    gl->BindVertexArray(0);
+    surface_draw_end(render);
+}
+
+void pass_positions_delete(Render *render)
+{
+    material_delete(&render->positions.material);
+    render->gl->DeleteVertexArrays(1, &render->positions.array); /* GL ignores the name 0 */
+    render->positions = (FramePositions){0};
+}

@@ -1,0 +1,229 @@
+/* The pass radiance: what surfaces send of the light of lamps, by voxel and side: radiance.h. Objects that fill voxels are drawn from six sides by their own programs, three times each: which
+ * nodes there are, what is nearest in each, what its surface is; then all nodes are lit. */
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/radiance.h"
+#include "runtime/indirect/voxels.h"
+#include "runtime/light/lighting.h"
+#include "runtime/shadow/shadow.h"
+
+enum { FACES_BINDING = 2, NODES_BINDING = 4, KEPT_BINDING = 5, GROUP = 64, GROUPS_ACROSS = 4096 };
+enum { STEP_sides, STEP_nearest, STEP_keep };
+
+/* -- surfaces */
+
+/* Clip space of a side: seen from the axis's upper end depth is turned round. */
+static void clip_of(const Render *render, int side, double clip[16])
+{
+    voxel_grid_clip(&render->voxels.grid, side / 2, render->zero_to_one, clip);
+    for (int column = 0; column < 4 && side % 2; column++)
+        clip[4 * column + 2] = (column == 3 && render->zero_to_one) - clip[4 * column + 2];
+}
+
+/* Axes that follow each other, with depth away from the eye, are as in a mirror. */
+static void cast(Render *render, int side, RadianceCast kind, bool cut)
+{
+    static const CullVolume all = {.count = 0};
+    const CacheSource source = frame_source(render);
+    double clip[16];
+    clip_of(render, side, clip);
+    cache_cast(render->gl, &source, &render->cache,
+               &(CacheLight){.clip_from_world = clip,
+                             .volume = &all,
+                             .mirrored = side % 2 == 0,
+                             .kept = render->radiance.keepers,
+                             .waves = render->radiance.casts,
+                             .wave = kind,
+                             .cut = cut},
+               false);
+}
+
+static void tell(Render *render, const char *name, int number)
+{
+    FrameRadiance *radiance = &render->radiance;
+    for (int i = 0; i < radiance->keeper_count; i++)
+        if (radiance->keepers[i].store)
+            material_set_number(&radiance->keepers[i], name, (float)number);
+}
+
+static void wait(const Render *render)
+{
+    render->gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                              GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+/* Of what is closed its fronts alone: a back would send light within it, and have rays from there go out through a thin wall. The map's texture says how large the framebuffer is. */
+static void draw_surfaces(Render *render, int step)
+{
+    const GlContext *gl = render->gl;
+    const FrameRadiance *radiance = &render->radiance;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, radiance->framebuffer);
+    gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, render->voxels.within, 0, 0);
+    gl->DrawBuffers(1, (const GLenum[]){GL_NONE});
+    gl->Viewport(0, 0, radiance->size, radiance->size);
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    tell(render, "radiance_step", step);
+    for (int side = 0; side < RADIANCE_SIDES; side++) {
+        tell(render, "radiance_side", side);
+        for (int kind = 0; kind < RADIANCE_CASTS; kind++) {
+            tell(render, "radiance_body", kind == RADIANCE_body);
+            (kind == RADIANCE_surface ? gl->Disable : gl->Enable)(GL_CULL_FACE);
+            cast(render, side, kind, false);
+            if (kind == RADIANCE_surface)
+                cast(render, side, kind, true);
+        }
+    }
+    gl->Disable(GL_CULL_FACE);
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    wait(render);
+}
+
+static void clear(const Render *render, size_t from, size_t words)
+{
+    const GlContext *gl = render->gl;
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->radiance.faces);
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, (GLintptr)(from * sizeof(GLuint)),
+                           (GLsizeiptr)(words * sizeof(GLuint)), GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+static void bind(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FACES_BINDING, render->radiance.faces);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NODES_BINDING, render->radiance.nodes);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, KEPT_BINDING, render->radiance.kept);
+}
+
+/* So many invocations, in a rectangle of groups. */
+static void dispatch(const Render *render, size_t count)
+{
+    const size_t groups = (count + GROUP - 1) / GROUP, across = groups < GROUPS_ACROSS ? groups : GROUPS_ACROSS;
+    if (groups)
+        render->gl->DispatchCompute((GLuint)across, (GLuint)((groups + across - 1) / across), 1);
+    wait(render);
+}
+
+/* Gives nodes their numbers; how many there are. */
+static GLuint number_nodes(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameRadiance *radiance = &render->radiance;
+    const size_t size = (size_t)radiance->size;
+    const GLuint head[RADIANCE_HEAD] = {radiance->room};
+    GLuint counted[RADIANCE_HEAD] = {0};
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, radiance->faces);
+    gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof head, head);
+    bind(render);
+    material_set_number(&radiance->number, "radiance_size", (float)size);
+    material_use(&radiance->number);
+    dispatch(render, size * size * size);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, radiance->faces);
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof counted, counted);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    return counted[1];
+}
+
+/* Larger voxels have fewer nodes. */
+static void find_nodes(Render *render)
+{
+    FrameRadiance *radiance = &render->radiance;
+    for (;; radiance->size /= 2) {
+        const size_t size = (size_t)radiance->size;
+        tell(render, "radiance_size", radiance->size);
+        clear(render, 0, RADIANCE_HEAD + size * size * size);
+        bind(render);
+        draw_surfaces(render, STEP_sides);
+        radiance->count = number_nodes(render);
+        if (radiance->count <= radiance->room)
+            return;
+        if (radiance_make_room(render, radiance->count)) {
+            number_nodes(render);
+            return;
+        }
+    }
+}
+
+/* -- light */
+
+static void set_eye(Render *render)
+{
+    const VoxelGrid *grid = &render->voxels.grid;
+    const double *eye = render->space.eye_from_world;
+    const double edge = grid->edge * grid->size / render->radiance.size;
+    float matrix[16];
+    for (int row = 0; row < 4; row++) {
+        double last = eye[12 + row];
+        for (int column = 0; column < 3; column++) {
+            matrix[4 * column + row] = (float)(eye[4 * column + row] * edge);
+            last += eye[4 * column + row] * grid->low[column];
+        }
+        matrix[12 + row] = (float)last;
+    }
+    material_set(&render->radiance.light.material, &(MaterialValue){"radiance_eye", 16, matrix});
+}
+
+static void light_nodes(Render *render)
+{
+    ScreenPass *light = &render->radiance.light;
+    set_eye(render);
+    radiance_set(render, 0, light);
+    pass_voxels_set(render, LIGHTING_FREE_UNIT, light);
+    for (int part = 0; part < shadow_parts_number(render); part++) {
+        shadow_parts_load(render, part);
+        lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
+        pass_voxels_bind(render, LIGHTING_FREE_UNIT);
+        bind(render);
+        material_use(&light->material);
+        dispatch(render, render->radiance.count);
+    }
+}
+
+/* Its textures are on the first units. */
+static void bounce_nodes(Render *render)
+{
+    enum { VOXEL_UNIT, RADIANCE_UNIT };
+    ScreenPass *bounce = &render->radiance.bounce;
+    const double radius = indirect_radius(render->scene, &render->cache);
+    if (!bounce->material.store)
+        return;
+    pass_voxels_set(render, VOXEL_UNIT, bounce);
+    radiance_set(render, RADIANCE_UNIT, bounce);
+    material_set_number(&bounce->material, "bounce_far", (float)(radius / render->voxels.grid.edge));
+    pass_voxels_bind(render, VOXEL_UNIT);
+    radiance_bind(render, RADIANCE_UNIT);
+    bind(render);
+    for (int i = 1; i < render->scene->indirect.bounces; i++)
+        for (int step = 0; step < 2; step++) {
+            material_set_number(&bounce->material, "bounce_step", (float)step);
+            material_use(&bounce->material);
+            dispatch(render, render->radiance.count);
+        }
+}
+
+/* -- */
+
+bool pass_radiance_make(Render *render) { return radiance_make(render); }
+
+bool pass_radiance_change(Render *render)
+{
+    render->radiance.drawn = false;
+    return !render->radiance.light.material.store || lighting_change(render, &render->radiance.light);
+}
+
+void pass_radiance_draw(Render *render)
+{
+    FrameRadiance *radiance = &render->radiance;
+    if (radiance->drawn)
+        return;
+    radiance_sort(render);
+    find_nodes(render);
+    bind(render);
+    draw_surfaces(render, STEP_nearest);
+    draw_surfaces(render, STEP_keep);
+    light_nodes(render);
+    bounce_nodes(render);
+    pass_rays_place(render); /* voxels may be larger now */
+    radiance->drawn = true;
+}

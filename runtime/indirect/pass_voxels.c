@@ -1,0 +1,338 @@
+/* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects move. Bodies turn bits over by an exclusive
+ * or of the driver's, in waves of those that are apart; surfaces of the others set theirs along each axis; all are merged, then the levels above are made. */
+#include "runtime/frame/frame.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/voxels.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+extern const char render_text_shadow_depth[], render_text_voxel_flip[], render_text_voxel_touch[],
+    render_text_voxel_merge[], render_text_voxel_above[];
+
+/* Where rays begin, voxel_map.glsl: by the table of tests/test_frame_voxel_open.c. */
+#define OFF_BODIES   .5f
+#define OFF_SURFACES .9f
+
+enum { WITHIN_UNIT, SURFACE_UNIT, WORD = 32, LAYER = 128 };
+
+bool pass_voxels_needed(const Render *render)
+{
+    return voxels_view_level(render->options.view) >= 0 || indirect_reads_voxels(render);
+}
+
+/* -- textures and programs */
+
+static GLuint make_texture(Render *render, GLenum format, int layers, int levels)
+{
+    const GlContext *gl = render->gl;
+    const int size = render->voxels.grid.size;
+    const GLenum lanes = format == GL_R32UI ? GL_RED_INTEGER : GL_RGBA_INTEGER;
+    GLuint made = 0;
+    gl->GenTextures(1, &made);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, made);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    for (int level = 0; level < levels; level++)
+        gl->TexImage3D(GL_TEXTURE_2D_ARRAY, level, (GLint)format, size >> level, size >> level, layers, 0, lanes,
+                       GL_UNSIGNED_INT, NULL);
+    return made;
+}
+
+/* What a level takes, in bytes. */
+static size_t level_bytes(const FrameVoxels *voxels, int level)
+{
+    const size_t edge = (size_t)voxels->grid.size >> level;
+    return edge * edge * (size_t)voxels->layers * 4 * sizeof(GLuint);
+}
+
+/* The map as one row of words: a look-up takes no sizes or places of levels, which cost more than the word where a processor draws. */
+static void make_words(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    size_t bytes = 0;
+    for (int level = 0; level < voxels->levels; level++)
+        bytes += level_bytes(voxels, level);
+    gl->GenBuffers(1, &voxels->buffer);
+    gl->BindBuffer(GL_TEXTURE_BUFFER, voxels->buffer);
+    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)bytes, NULL, GL_STATIC_COPY);
+    gl->GenTextures(1, &voxels->words);
+    gl->BindTexture(GL_TEXTURE_BUFFER, voxels->words);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, voxels->buffer);
+    gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+static bool make_textures(Render *render)
+{
+    FrameVoxels *voxels = &render->voxels;
+    const int size = voxels->grid.size;
+    voxels->layers = (size + LAYER - 1) / LAYER;
+    voxels->levels = 1;
+    while (size >> voxels->levels > 0)
+        voxels->levels++;
+    voxels->within = make_texture(render, GL_RGBA32UI, voxels->layers, 1);
+    voxels->surface = make_texture(render, GL_R32UI, size / WORD, 1);
+    voxels->map = make_texture(render, GL_RGBA32UI, voxels->layers, voxels->levels);
+    make_words(render);
+    render->gl->GenFramebuffers(1, &voxels->framebuffer);
+    return gl_check(render->gl, "making room for voxels");
+}
+
+/* `casts`: it is drawn with objects; else over all texels. */
+static bool make_program(Render *render, const char *text, bool casts, Material *made)
+{
+    const char *const version =
+        render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 430 core\n";
+    char defined[64];
+    snprintf(defined, sizeof defined, "#define VOXEL_SIZE %d\n#define VOXEL_LAYERS %d\n", render->voxels.grid.size,
+             render->voxels.layers);
+    ProgramText program = {.fragment = {version, defined, text}, .vertex = {version}};
+    program.vertex[1] = !casts ? screen_text : render->cache.instances ? "#define INSTANCES\n" : "";
+    program.vertex[2] = casts ? render_text_shadow_depth : "";
+    return material_make(render->store, NULL, &program, made);
+}
+
+static bool make_programs(Render *render)
+{
+    FrameVoxels *voxels = &render->voxels;
+    if (!make_program(render, render_text_voxel_flip, true, &voxels->flip) ||
+        !make_program(render, render_text_voxel_touch, true, &voxels->touch) ||
+        !make_program(render, render_text_voxel_merge, false, &voxels->merge) ||
+        !make_program(render, render_text_voxel_above, false, &voxels->above))
+        return false;
+    material_set_number(&voxels->merge, "voxel_within", WITHIN_UNIT);
+    material_set_number(&voxels->merge, "voxel_surface", SURFACE_UNIT);
+    return true;
+}
+
+bool pass_voxels_make(Render *render)
+{
+    FrameVoxels *voxels = &render->voxels;
+    if (!transparency_has_lists(render->gl))
+        return gl_fail(render->gl, "voxels take OpenGL 4.3, and the driver has %d.%d", render->gl->major,
+                       render->gl->minor);
+    voxels->grid = voxel_grid(render->scene, &render->cache);
+    if (!voxel_bodies_measure(render, voxels) || !voxel_bodies_sort(render, voxels))
+        return gl_fail(render->gl, "out of memory");
+    return make_textures(render) && make_programs(render);
+}
+
+/* -- drawing */
+
+/* So many layers of a texture's level are drawn to at once. */
+static void use_layers(const Render *render, GLuint texture, int level, int first, int count)
+{
+    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+                                     GL_COLOR_ATTACHMENT3};
+    const GlContext *gl = render->gl;
+    const int size = render->voxels.grid.size >> level;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->voxels.framebuffer);
+    for (int i = 0; i < VOXELS_LAYERS_MOST; i++)
+        gl->FramebufferTextureLayer(GL_FRAMEBUFFER, buffers[i], i < count ? texture : 0, level,
+                                    i < count ? first + i : 0);
+    gl->DrawBuffers(count, buffers);
+    gl->Viewport(0, 0, size, size);
+}
+
+/* Draws the objects of a wave, seen along an axis; without a material what is cut out, by its own. */
+static void cast(Render *render, int axis, int wave, Material *material)
+{
+    static const CullVolume all = {.count = 0};
+    const CacheSource source = frame_source(render);
+    double clip[16];
+    voxel_grid_clip(&render->voxels.grid, axis, render->zero_to_one, clip);
+    cache_cast(render->gl, &source, &render->cache,
+               &(CacheLight){.clip_from_world = clip,
+                             .volume = &all,
+                             .solid = material,
+                             .waves = render->voxels.waves,
+                             .wave = wave,
+                             .cut = !material},
+               false);
+}
+
+static void draw_within(Render *render, int wave)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    use_layers(render, voxels->within, 0, 0, voxels->layers);
+    for (int layer = 0; layer < voxels->layers; layer++)
+        gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
+    if (!voxel_bodies_has(voxels, &render->cache, wave))
+        return;
+    gl->Enable(GL_COLOR_LOGIC_OP);
+    gl->LogicOp(GL_XOR);
+    cast(render, 2, wave, &voxels->flip);
+    gl->LogicOp(GL_COPY);
+    gl->Disable(GL_COLOR_LOGIC_OP);
+}
+
+static void tell_cut(Render *render, int axis)
+{
+    const Cache *cache = &render->cache;
+    for (int i = 0; i < cache->place_count; i++)
+        if (cache->places[i].cut >= 0)
+            material_set_number(&cache->casters[cache->places[i].cut].material, "voxel_axis", (float)axis);
+}
+
+static void draw_surface(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    const int words = voxels->grid.size / WORD;
+    for (int first = 0; first < words; first += VOXELS_LAYERS_MOST) {
+        const int count = words - first < VOXELS_LAYERS_MOST ? words - first : VOXELS_LAYERS_MOST;
+        use_layers(render, voxels->surface, 0, first, count);
+        for (int layer = 0; layer < count; layer++)
+            gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
+    }
+    if (!voxel_bodies_has(voxels, &render->cache, 0))
+        return;
+    use_layers(render, voxels->within, 0, 0, 1); /* its size is all that is taken of it */
+    gl->DrawBuffers(1, (const GLenum[]){GL_NONE});
+    gl->BindImageTexture(0, voxels->surface, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
+    for (int axis = 0; axis < 3; axis++) {
+        material_set_number(&voxels->touch, "voxel_axis", (float)axis);
+        cast(render, axis, 0, &voxels->touch);
+        tell_cut(render, axis);
+        cast(render, axis, 0, NULL);
+    }
+    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+static void bind(const GlContext *gl, GLuint texture, int unit)
+{
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+}
+
+/* The first wave, with surfaces, and what later ones have beside it. */
+static void merge(Render *render, int wave)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    use_layers(render, voxels->map, 0, 0, voxels->layers);
+    bind(gl, voxels->within, WITHIN_UNIT);
+    bind(gl, voxels->surface, SURFACE_UNIT);
+    material_use(&voxels->merge);
+    if (wave > 1) {
+        gl->Enable(GL_COLOR_LOGIC_OP);
+        gl->LogicOp(GL_OR);
+    }
+    screen_draw(gl, &render->screen);
+    gl->LogicOp(GL_COPY);
+    gl->Disable(GL_COLOR_LOGIC_OP);
+}
+
+/* Reads one level of the map while another is drawn to. */
+static void draw_levels(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    bind(gl, voxels->map, 0);
+    for (int level = 1; level < voxels->levels; level++) {
+        gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, level - 1);
+        gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, level - 1);
+        use_layers(render, voxels->map, level, 0, voxels->layers);
+        material_use(&voxels->above);
+        screen_draw(gl, &render->screen);
+    }
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, 0);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, voxels->levels - 1);
+}
+
+/* On the driver's side; the map stays bound. */
+static void copy_words(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    const FrameVoxels *voxels = &render->voxels;
+    size_t at = 0;
+    bind(gl, voxels->map, 0);
+    gl->BindBuffer(GL_PIXEL_PACK_BUFFER, voxels->buffer);
+    for (int level = 0; level < voxels->levels; level++) {
+        gl->GetTexImage(GL_TEXTURE_2D_ARRAY, level, GL_RGBA_INTEGER, GL_UNSIGNED_INT, (void *)at);
+        at += level_bytes(voxels, level);
+    }
+    gl->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+void pass_voxels_draw(Render *render)
+{
+    const GlContext *gl = render->gl;
+    if (render->voxels.drawn)
+        return;
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    draw_surface(render);
+    for (int wave = 1; wave == 1 || wave <= render->voxels.wave_count; wave++) {
+        draw_within(render, wave);
+        merge(render, wave);
+    }
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    draw_levels(render);
+    copy_words(render);
+    render->voxels.drawn = true;
+}
+
+void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
+{
+    const SceneCamera *camera = &render->scene->camera;
+    const double *const axes[3] = {camera->right, camera->up, camera->back};
+    const VoxelGrid *grid = &render->voxels.grid;
+    float matrix[16] = {0};
+    for (int column = 0; column < 4; column++)
+        for (int k = 0; k < 3; k++)
+            matrix[4 * column + k] =
+                (float)((column < 3 ? axes[column][k] : camera->position[k] - grid->low[k]) / grid->edge);
+    matrix[15] = 1;
+    material_set_number(&pass->material, "voxel_off",
+                        voxel_bodies_has(&render->voxels, &render->cache, 0) ? OFF_SURFACES : OFF_BODIES);
+    screen_pass_sampler(pass, "voxel_words", unit);
+    material_set_number(&pass->material, "voxel_size", (float)grid->size);
+    material_set(&pass->material, &(MaterialValue){"voxel_from_eye", 16, matrix});
+}
+
+void pass_voxels_bind(const Render *render, int unit)
+{
+    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    render->gl->BindTexture(GL_TEXTURE_BUFFER, render->voxels.words);
+}
+
+void pass_voxels_forget(Render *render)
+{
+    for (int i = 0; i < render->cache.place_count; i++)
+        render->voxels.drawn &= render->cache.places[i].cut < 0;
+    render->radiance.drawn = false;
+}
+
+bool pass_voxels_change(Render *render)
+{
+    if (!render->voxels.map)
+        return true;
+    render->voxels.grid = voxel_grid(render->scene, &render->cache);
+    if (!voxel_bodies_sort(render, &render->voxels))
+        return gl_fail(render->gl, "out of memory");
+    render->voxels.drawn = render->radiance.drawn = false;
+    return true;
+}
+
+void pass_voxels_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    Material *materials[] = {&voxels->flip, &voxels->touch, &voxels->merge, &voxels->above};
+    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++)
+        if (materials[i]->store)
+            material_delete(materials[i]);
+    gl->DeleteFramebuffers(1, &voxels->framebuffer); /* GL ignores the name 0 */
+    gl->DeleteTextures(1, &voxels->within);
+    gl->DeleteTextures(1, &voxels->surface);
+    gl->DeleteTextures(1, &voxels->map);
+    gl->DeleteTextures(1, &voxels->words);
+    gl->DeleteBuffers(1, &voxels->buffer);
+    free(voxels->shapes);
+    free(voxels->waves);
+    *voxels = (FrameVoxels){.layers = 0};
+}

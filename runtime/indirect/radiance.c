@@ -1,0 +1,237 @@
+/* What cached radiance is made with: programs of materials that end in nodes, buffers, and what passes read of it. */
+#include "runtime/indirect/radiance.h"
+#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/voxels.h"
+#include "runtime/light/lighting.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_radiance_store[], render_text_radiance_number[], render_text_radiance_light[],
+    render_text_radiance_place[], render_text_radiance_bounce[], render_text_radiance[], render_text_voxel_map[],
+    render_text_voxel_ray[], render_text_indirect_basis[];
+
+enum { FLOATS = 4, BOUNCED_TEXELS = 4, ONCE_TEXELS = 2 };
+
+bool radiance_needed(const Render *render)
+{
+    return indirect_reads_radiance(render) && render->scene->indirect.bounces > 0 && !indirect_shows(render, "bent") &&
+           !indirect_shows(render, "open") && !indirect_shows(render, "visibility");
+}
+
+int radiance_texels(const Render *render) { return render->scene->indirect.bounces > 1 ? BOUNCED_TEXELS : ONCE_TEXELS; }
+
+/* -- programs */
+
+/* Of each kind that fills voxels, once. */
+static bool make_keepers(Render *render)
+{
+    const Cache *cache = &render->cache;
+    const Set *set = &render->set;
+    FrameRadiance *radiance = &render->radiance;
+    TransparencyText *around = malloc(sizeof *around);
+    bool fine = around != NULL;
+    radiance->keeper_count = cache->kind_count;
+    radiance->keepers = calloc((size_t)cache->kind_count + 1, sizeof *radiance->keepers);
+    if (!fine || !radiance->keepers)
+        return free(around), gl_fail(render->gl, "out of memory");
+    transparency_text(render->gl, set, TRANSPARENCY_lists, around);
+    around->body = render_text_radiance_store;
+    for (int i = 0; fine && i < cache->place_count; i++) {
+        const CachePlace *place = &cache->places[i];
+        const int material = render->scene->objects[place->object].material;
+        const SetProgram *program = set_find(set, material, "gbuffer");
+        if (!voxels_have(place) || radiance->keepers[place->kind].store)
+            continue;
+        ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
+        transparency_wrap(around, false, &text);
+        fine = material_make(render->store, program->program, &text, &radiance->keepers[place->kind]) ||
+               set_fail(render->gl, render->scene, material);
+    }
+    free(around);
+    return fine;
+}
+
+static bool make_number(Render *render)
+{
+    const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
+    const ProgramText text = {
+        .compute = {modern ? "#version 450 core\n" : "#version 430 core\n", render_text_radiance_number}};
+    if (!material_make(render->store, NULL, &text, &render->radiance.number))
+        return false;
+    material_set_number(&render->radiance.number, "radiance_stride", (float)transparency_stride(&render->set));
+    return true;
+}
+
+void radiance_define(const Render *render, char text[RADIANCE_DEFINITIONS])
+{
+    snprintf(text, RADIANCE_DEFINITIONS,
+             "#define RADIANCE_HEAD %d\n#define RADIANCE_TEXELS %d\n#define INDIRECT_RADIANCE\n", RADIANCE_HEAD,
+             radiance_texels(render));
+}
+
+static bool make_light(Render *render)
+{
+    char reader[TRANSPARENCY_TEXT], defined[RADIANCE_DEFINITIONS];
+    transparency_reader(&render->set, reader);
+    radiance_define(render, defined);
+    const LightingText text = {
+        .body = {reader, defined, render_text_voxel_map, render_text_radiance_place, render_text_radiance_light},
+        .block = 64,
+        .of = LIGHTING_nodes};
+    return lighting_make(render, &text, &render->radiance.light);
+}
+
+static bool make_bounce(Render *render)
+{
+    ScreenPass *bounce = &render->radiance.bounce;
+    char defined[RADIANCE_DEFINITIONS], strides[RADIANCE_DEFINITIONS];
+    radiance_define(render, defined);
+    snprintf(strides, sizeof strides, "#define LISTS_STRIDE %du\n#define RADIANCE_RAYS %d\n",
+             transparency_stride(&render->set), render->scene->indirect.rays);
+    const ScreenPassText text = {.body = {defined, strides, render_text_voxel_map, render_text_voxel_ray,
+                                          render_text_radiance, render_text_radiance_place,
+                                          render_text_indirect_basis, render_text_radiance_bounce},
+                                 .format = "RGBA16F",
+                                 .compute = true,
+                                 .block = 64};
+    return render->scene->indirect.bounces < 2 || screen_pass_make(render->store, &text, bounce);
+}
+
+/* -- buffers */
+
+static void fill(const GlContext *gl, GLuint buffer, size_t bytes)
+{
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_COPY);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+static void make_texture(const GlContext *gl, GLenum format, GLuint buffer, GLuint *made)
+{
+    if (!*made)
+        gl->GenTextures(1, made);
+    gl->BindTexture(GL_TEXTURE_BUFFER, *made);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, format, buffer);
+}
+
+/* Both the buffer's size and that of a texture on it have an end. */
+bool radiance_make_room(Render *render, GLuint nodes)
+{
+    const size_t texels = (size_t)nodes * (size_t)radiance_texels(render), floats = texels * FLOATS;
+    const size_t words = (size_t)nodes * (size_t)transparency_stride(&render->set);
+    const size_t most = transparency_most_bytes(render);
+    FrameRadiance *radiance = &render->radiance;
+    GLint texels_most = 0;
+    render->gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels_most);
+    if (floats * sizeof(float) > most || words * sizeof(GLuint) > most || texels > (size_t)texels_most)
+        return false;
+    fill(render->gl, radiance->nodes, words * sizeof(GLuint));
+    fill(render->gl, radiance->kept, floats * sizeof(float));
+    make_texture(render->gl, GL_RGBA32F, radiance->kept, &radiance->kept_texels);
+    radiance->room = nodes;
+    return true;
+}
+
+static bool make_buffers(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameRadiance *radiance = &render->radiance;
+    const size_t size =
+        (size_t)(render->voxels.grid.size < RADIANCE_SIZE_MOST ? render->voxels.grid.size : RADIANCE_SIZE_MOST);
+    radiance->size = (int)size;
+    gl->GenBuffers(1, &radiance->faces);
+    gl->GenBuffers(1, &radiance->nodes);
+    gl->GenBuffers(1, &radiance->kept);
+    gl->GenFramebuffers(1, &radiance->framebuffer);
+    fill(gl, radiance->faces, (RADIANCE_HEAD + size * size * size) * sizeof(GLuint));
+    make_texture(gl, GL_R32UI, radiance->faces, &radiance->faces_words);
+    radiance_make_room(render, (GLuint)(RADIANCE_SIDES * size * size));
+    return gl_check(render->gl, "making room for cached radiance");
+}
+
+void radiance_sort(Render *render)
+{
+    const Cache *cache = &render->cache;
+    for (int i = 0; i < cache->place_count; i++) {
+        const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid && cache->places[i].cut < 0;
+        render->radiance.casts[i] = render->voxels.waves[i] ? RADIANCE_body
+                                    : closed                ? RADIANCE_closed
+                                                            : RADIANCE_surface;
+    }
+}
+
+bool radiance_make(Render *render)
+{
+    render->radiance.casts = calloc((size_t)render->cache.place_count + 1, sizeof *render->radiance.casts);
+    if (!render->radiance.casts)
+        return gl_fail(render->gl, "out of memory");
+    return make_buffers(render) && make_keepers(render) && make_number(render) && make_light(render) &&
+           make_bounce(render);
+}
+
+/* -- what reads it */
+
+void radiance_set(const Render *render, int unit, ScreenPass *pass)
+{
+    int shift = 0;
+    while (render->voxels.grid.size >> shift > render->radiance.size)
+        shift++;
+    screen_pass_sampler(pass, "radiance_faces", unit);
+    screen_pass_sampler(pass, "radiance_kept", unit + 1);
+    material_set_number(&pass->material, "radiance_size", (float)render->radiance.size);
+    material_set_number(&pass->material, "radiance_shift", (float)shift);
+}
+
+void radiance_bind(const Render *render, int unit)
+{
+    const GLuint textures[RADIANCE_UNITS] = {render->radiance.faces_words, render->radiance.kept_texels};
+    for (int i = 0; i < RADIANCE_UNITS; i++) {
+        render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)(unit + i));
+        render->gl->BindTexture(GL_TEXTURE_BUFFER, textures[i]);
+    }
+}
+
+bool radiance_param(Render *render, int material, const MaterialValue *value)
+{
+    const Cache *cache = &render->cache;
+    bool found = false;
+    for (int i = 0; i < cache->place_count && render->radiance.keepers; i++)
+        if (render->scene->objects[cache->places[i].object].material == material &&
+            render->radiance.keepers[cache->places[i].kind].store)
+            found |= material_set(&render->radiance.keepers[cache->places[i].kind], value);
+    render->radiance.drawn = false;
+    return found;
+}
+
+void radiance_put(Text *out, const Render *render)
+{
+    const FrameRadiance *radiance = &render->radiance;
+    const unsigned long each = sizeof(GLuint) * (unsigned long)transparency_stride(&render->set) +
+                               sizeof(float) * FLOATS * (unsigned long)radiance_texels(render);
+    if (radiance->count)
+        text_format(out, "radiance  %lu nodes of %lu bytes, in %d x %d x %d voxels of %lu\n",
+                    (unsigned long)radiance->count, each, radiance->size, radiance->size, radiance->size,
+                    (unsigned long)sizeof(GLuint));
+}
+
+void radiance_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameRadiance *radiance = &render->radiance;
+    const GLuint buffers[] = {radiance->faces, radiance->nodes, radiance->kept};
+    const GLuint textures[] = {radiance->faces_words, radiance->kept_texels};
+    for (int i = 0; i < radiance->keeper_count; i++)
+        if (radiance->keepers[i].store)
+            material_delete(&radiance->keepers[i]);
+    free(radiance->keepers);
+    free(radiance->casts);
+    if (radiance->number.store)
+        material_delete(&radiance->number);
+    screen_pass_delete(&radiance->light);
+    screen_pass_delete(&radiance->bounce);
+    gl->DeleteTextures(sizeof textures / sizeof *textures, textures); /* GL ignores the name 0 */
+    gl->DeleteBuffers(sizeof buffers / sizeof *buffers, buffers);
+    gl->DeleteFramebuffers(1, &radiance->framebuffer);
+    *radiance = (FrameRadiance){0};
+}

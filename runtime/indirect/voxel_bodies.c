@@ -1,0 +1,198 @@
+/* Which objects are bodies, and which of these are drawn together. No GL.
+ *
+ *     a room of six boxes that cross in its corners: floor and ceiling are apart, wave 1; two walls that face each other, wave 2; the others, wave 3 */
+#include "runtime/frame/frame.h"
+#include "runtime/indirect/voxels.h"
+#include <math.h>
+#include <stdlib.h>
+
+/* Voxels: of a flat wall as thick as one, each line through middles along the axis that is nearest to its normal has a middle in it. */
+#define THINNEST 1.5
+
+/* -- meshes */
+
+static void cross(const float *a, const float *b, const float *c, double out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        out[k] = ((double)b[i] - a[i]) * ((double)c[j] - a[j]) - ((double)b[j] - a[j]) * ((double)c[i] - a[i]);
+    }
+}
+
+/* Pyramids from the first vertex over all triangles have the volume. */
+static VoxelShape measure(const Shape *shape, ShapeBody body)
+{
+    VoxelShape made = {.closed = body != SHAPE_BODY_none};
+    for (int i = 0; i < shape->index_count; i += 3) {
+        const float *first = shape->vertices[0].position, *a = shape->vertices[shape->indices[i]].position;
+        double face[3];
+        cross(a, shape->vertices[shape->indices[i + 1]].position, shape->vertices[shape->indices[i + 2]].position,
+              face);
+        made.area += sqrt(face[0] * face[0] + face[1] * face[1] + face[2] * face[2]) / 2;
+        for (int k = 0; k < 3; k++)
+            made.volume += face[k] * ((double)a[k] - first[k]) / 6;
+    }
+    made.volume = fabs(made.volume);
+    return made;
+}
+
+/* Of each mesh by the first object that has it. */
+bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
+{
+    const Cache *cache = &render->cache;
+    const size_t meshes = (size_t)cache->mesh_count + 1;
+    bool *known = calloc(meshes, sizeof *known), fine;
+    voxels->shapes = calloc(meshes, sizeof *voxels->shapes);
+    voxels->waves = calloc((size_t)cache->place_count + 1, sizeof *voxels->waves);
+    fine = known && voxels->shapes && voxels->waves;
+    for (int i = 0; fine && i < cache->place_count; i++) {
+        const SceneObject *object = &render->scene->objects[cache->places[i].object];
+        const int mesh = cache->places[i].mesh;
+        Shape made = {0};
+        if (known[mesh])
+            continue;
+        known[mesh] = true;
+        fine = object->kind == SCENE_Mesh || scene_solid(object, &made);
+        if (fine)
+            voxels->shapes[mesh] =
+                measure(object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made,
+                        cache->meshes[mesh].body);
+        shape_free(&made);
+    }
+    free(known);
+    return fine;
+}
+
+/* -- objects */
+
+/* The volume over half the area, in the world; of a matrix that stretches its axes, at least. */
+static double thickness(const VoxelShape *shape, const SceneMatrix *world_from_local)
+{
+    const double *m = world_from_local->m;
+    double lengths[3], least = INFINITY, product = 1;
+    for (int k = 0; k < 3; k++) {
+        lengths[k] = sqrt(m[4 * k] * m[4 * k] + m[4 * k + 1] * m[4 * k + 1] + m[4 * k + 2] * m[4 * k + 2]);
+        least = fmin(least, lengths[k]);
+        product *= lengths[k];
+    }
+    const double determinant =
+        m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+    return product > 0 && shape->area > 0 ? 2 * shape->volume / shape->area * fabs(determinant) / (product / least) : 0;
+}
+
+typedef struct {
+    VoxelRange range;
+    double low; /* along the axis of the sweep */
+    int place;
+} Body;
+
+static int compare(const void *a, const void *b)
+{
+    const Body *x = a, *y = b;
+    return x->low != y->low ? (x->low < y->low ? -1 : 1) : x->place - y->place;
+}
+
+static bool meets(const VoxelRange *a, const VoxelRange *b)
+{
+    for (int k = 0; k < 3; k++)
+        if (!(a->low[k] < b->high[k] && b->low[k] < a->high[k]))
+            return false;
+    return true;
+}
+
+VoxelKind voxel_bodies_kind(const Render *render, int number)
+{
+    const FrameVoxels *voxels = &render->voxels;
+    const CachePlace *place = &render->cache.places[number];
+    const VoxelShape *shape = &voxels->shapes[place->mesh];
+    if (!shape->closed)
+        return VOXEL_open;
+    const double thick = thickness(shape, &render->scene->objects[place->object].world_from_local);
+    if (!(thick >= THINNEST * voxels->grid.edge))
+        return VOXEL_thin;
+    return voxels->waves[number] ? VOXEL_body : VOXEL_crossing;
+}
+
+static int list_bodies(const Render *render, const FrameVoxels *voxels, Body *bodies)
+{
+    const Cache *cache = &render->cache;
+    int count = 0;
+    for (int i = 0; i < cache->place_count; i++) {
+        const CachePlace *place = &cache->places[i];
+        const VoxelShape *shape = &voxels->shapes[place->mesh];
+        const SceneMatrix *matrix = &render->scene->objects[place->object].world_from_local;
+        if (place->transparent || !shape->closed || !(thickness(shape, matrix) >= THINNEST * voxels->grid.edge))
+            continue;
+        bodies[count] = (Body){{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, 0, i};
+        voxel_grid_add(&cache->boxes[place->mesh], matrix, &bodies[count++].range);
+    }
+    return count;
+}
+
+/* Along which the middles of boxes are spread the most, so that few are beside each other. */
+static int axis_of(const Body *bodies, int count)
+{
+    double spread[3] = {0};
+    for (int k = 0; k < 3; k++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int i = 0; i < count; i++) {
+            low = fmin(low, bodies[i].range.low[k] + bodies[i].range.high[k]);
+            high = fmax(high, bodies[i].range.low[k] + bodies[i].range.high[k]);
+        }
+        spread[k] = high - low;
+    }
+    return spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : spread[1] >= spread[2] ? 1 : 2;
+}
+
+/* The first wave that none of the bodies has whose boxes meet; 0: there is none. What ends before it is taken off the list. */
+static int wave_of(const FrameVoxels *voxels, const Body *body, int axis, Body *list, int *count)
+{
+    const unsigned all = (1u << VOXELS_WAVES_MOST) - 1;
+    unsigned taken = 0;
+    int kept = 0, wave = 0;
+    for (int i = 0; i < *count; i++) {
+        if (list[i].range.high[axis] <= body->low)
+            continue;
+        if (taken != all && meets(&list[i].range, &body->range))
+            taken |= 1u << (voxels->waves[list[i].place] - 1);
+        list[kept++] = list[i];
+    }
+    *count = kept;
+    while (wave < VOXELS_WAVES_MOST && taken >> wave & 1)
+        wave++;
+    return wave < VOXELS_WAVES_MOST ? wave + 1 : 0;
+}
+
+bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels)
+{
+    const size_t places = (size_t)render->cache.place_count + 1;
+    Body *bodies = malloc(places * sizeof *bodies), *list = malloc(places * sizeof *list);
+    const bool fine = bodies && list;
+    const int count = fine ? list_bodies(render, voxels, bodies) : 0, axis = axis_of(bodies, count);
+    int listed = 0;
+    for (int i = 0; i < count; i++)
+        bodies[i].low = bodies[i].range.low[axis];
+    if (count)
+        qsort(bodies, (size_t)count, sizeof *bodies, compare);
+    for (size_t i = 0; fine && i < places; i++)
+        voxels->waves[i] = 0;
+    voxels->wave_count = 0;
+    for (int i = 0; i < count; i++) {
+        const int wave = wave_of(voxels, &bodies[i], axis, list, &listed);
+        voxels->waves[bodies[i].place] = (unsigned char)wave;
+        voxels->wave_count = wave > voxels->wave_count ? wave : voxels->wave_count;
+        if (wave)
+            list[listed++] = bodies[i];
+    }
+    free(bodies);
+    free(list);
+    return fine;
+}
+
+bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave)
+{
+    for (int i = 0; i < cache->place_count; i++)
+        if (voxels_have(&cache->places[i]) && voxels->waves[i] == wave)
+            return true;
+    return false;
+}

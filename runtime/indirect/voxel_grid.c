@@ -1,0 +1,64 @@
+/* Where voxels stand. No GL.
+ *
+ *     objects from (0, 0, 0) to (4, 2, 1), 64 voxels: 62 of them take the 4, so that each is 4 / 62 wide, and one is left on each side */
+#include "runtime/indirect/voxels.h"
+#include <math.h>
+#include <string.h>
+
+void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, VoxelRange *range)
+{
+    const double *m = world_from_local->m;
+    for (int corner = 0; corner < 8; corner++) {
+        double local[3];
+        for (int k = 0; k < 3; k++)
+            local[k] = corner >> k & 1 ? box->high[k] : box->low[k];
+        for (int k = 0; k < 3; k++) {
+            const double world = m[k] * local[0] + m[4 + k] * local[1] + m[8 + k] * local[2] + m[12 + k];
+            range->low[k] = fmin(range->low[k], world);
+            range->high[k] = fmax(range->high[k], world);
+        }
+    }
+}
+
+bool voxels_have(const CachePlace *place) { return !place->transparent || place->cut >= 0; }
+
+static VoxelRange range_of(const Scene *scene, const Cache *cache)
+{
+    VoxelRange range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (int i = 0; i < cache->place_count; i++)
+        if (voxels_have(&cache->places[i]))
+            voxel_grid_add(&cache->boxes[cache->places[i].mesh],
+                           &scene->objects[cache->places[i].object].world_from_local, &range);
+    if (!(range.low[0] <= range.high[0]))
+        memset(&range, 0, sizeof range);
+    return range;
+}
+
+VoxelGrid voxel_grid(const Scene *scene, const Cache *cache)
+{
+    const double least = 1e-6; /* of the greatest coordinate: voxels that floats can tell apart */
+    const VoxelRange range = range_of(scene, cache);
+    VoxelGrid grid = {.size = scene->voxel_size};
+    double longest = 1e-30;
+    for (int k = 0; k < 3; k++) {
+        longest = fmax(longest, range.high[k] - range.low[k]);
+        longest = fmax(longest, least * grid.size * fmax(fabs(range.high[k]), fabs(range.low[k])));
+    }
+    grid.edge = longest / (grid.size - 2);
+    for (int k = 0; k < 3; k++)
+        grid.low[k] = (range.low[k] + range.high[k]) / 2 - grid.size / 2. * grid.edge;
+    return grid;
+}
+
+void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double clip[16])
+{
+    const double over = 1 / (grid->edge * grid->size);
+    memset(clip, 0, 16 * sizeof *clip);
+    clip[15] = 1;
+    for (int row = 0; row < 3; row++) {
+        const int from = (axis + 1 + row) % 3;
+        const bool parts = row == 2 && zero_to_one; /* from 0, else from -1 */
+        clip[4 * from + row] = parts ? over : 2 * over;
+        clip[12 + row] = -grid->low[from] * over * (parts ? 1 : 2) - (parts ? 0 : 1);
+    }
+}

@@ -1,0 +1,33 @@
+/* What stands where nothing is seen: shown by the pass tone as it is, and, behind what is transparent, by the pass light as light. */
+#include "runtime/light/lighting.h"
+#include <string.h>
+
+extern const char render_text_backdrop[];
+
+static bool is_there(const Render *render)
+{
+    const char *view = render->options.view;
+    return (render->scene->tiles || render->scene->glow) && !render->options.linear &&
+           (!view || !strcmp(view, "shown"));
+}
+
+const char *backdrop_text(const Render *render) { return is_there(render) ? render_text_backdrop : ""; }
+
+const char *backdrop_light_text(const Render *render)
+{
+    return transparency_is(render, render->transparency) ? backdrop_text(render) : "";
+}
+
+void backdrop_set(const Render *render, bool light, ScreenPass *pass)
+{
+    enum { TILE = 16 };
+    const double most = 1e4; /* a half float holds what it is times */
+    const Scene *scene = render->scene;
+    const bool tiles = scene->tiles && (light || !scene->glow);
+    const double share = 1 / scene->exposure;
+    const float place[4] = {(float)render->at[0], (float)render->at[1], (float)render->whole[0],
+                            (float)render->whole[1]};
+    material_set(&pass->material, &(MaterialValue){"backdrop_place", 4, place});
+    material_set_number(&pass->material, "backdrop_tile", (float)(tiles ? TILE * render->samples : 0));
+    material_set_number(&pass->material, "backdrop_share", (float)(share < most ? share : most));
+}

@@ -1,0 +1,47 @@
+/* What the passes gather and light both go by where lights are many: the GLSL's constants, what may be left out, the buffers of light_room.c. */
+#include "runtime/light/light_far.h"
+#include "runtime/light/lighting.h"
+#include <stdio.h>
+
+/* As far_blocks.glsl has them. */
+enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
+/* Of a group of pixels or of lights. What sums a series has few: each needs many registers, and sums wait for nobody but a warp. */
+static const int invocations_hardware[] = {
+    [LIGHT_FAR_groups] = 64, [LIGHT_FAR_near] = 64, [LIGHT_FAR_gather] = 32, [LIGHT_FAR_light] = 0};
+enum { INVOCATIONS_SOFTWARE = 8 /* llvmpipe's lanes */ };
+enum { TEXELS_UNIT = LIGHTING_FREE_UNIT, BITS_UNIT };
+
+void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS])
+{
+    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n#define FAR_INVOCATIONS %d\n%s",
+             light_far_most(render), render->gl->hardware ? invocations_hardware[use] : INVOCATIONS_SOFTWARE,
+             render->light_counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
+}
+
+/* Behind transparent layers what is relative stays so, and what is not may grow. */
+void light_far_set(const Render *render, ScreenPass *pass)
+{
+    const bool covered = transparency_is(render, render->transparency);
+    double budget[2] = {0};
+    light_far_budget(render->scene->tone, render->options.linear, budget);
+    material_set_number(&pass->material, "far_relative", (float)budget[0]);
+    material_set_number(&pass->material, "far_absolute", (float)(covered ? 0 : budget[1] / render->scene->exposure));
+    screen_pass_sampler(pass, "far_texels", TEXELS_UNIT);
+    screen_pass_sampler(pass, "far_bits", BITS_UNIT);
+    material_set_number(&pass->material, "far_row", (float)light_far_blocks(render->size[0]));
+}
+
+void light_far_bind(const Render *render)
+{
+    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NUMBERS_BINDING, render->far.numbers);
+    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, WORDS_BINDING, render->far.words);
+}
+
+void light_far_bind_read(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->ActiveTexture(GL_TEXTURE0 + TEXELS_UNIT);
+    gl->BindTexture(GL_TEXTURE_BUFFER, render->far.texels);
+    gl->ActiveTexture(GL_TEXTURE0 + BITS_UNIT);
+    gl->BindTexture(GL_TEXTURE_BUFFER, render->far.bits);
+}

@@ -1,0 +1,66 @@
+/* Many lights by where they are: Morton's curve, on which neighbours in space are mostly neighbours. Lights that are near a group of pixels then share few
+ * of the words that far_blocks.glsl has their bits in, and a pixel reads no more.
+ *
+ *     a cell's number has the bits of its places along x, y, z in turns: cell (3, 0, 1) is binary 001 101, 13, where bits of z, y, x stand in this order */
+#include "runtime/light/light_far.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BITS = 10 /* of a cell, along an axis */ };
+
+typedef struct {
+    float texels[2][4];
+    uint32_t cell;
+} Placed;
+
+/* Lights of one cell by their numbers, so that no other order is possible. */
+static int compare(const void *left, const void *right)
+{
+    const Placed *a = left, *b = right;
+    return a->cell != b->cell ? (a->cell > b->cell) - (a->cell < b->cell)
+                              : memcmp(a->texels, b->texels, sizeof a->texels);
+}
+
+static void find_box(float (*lights)[2][4], int count, float low[3], float high[3])
+{
+    for (int axis = 0; axis < 3; axis++) {
+        low[axis] = INFINITY;
+        high[axis] = -INFINITY;
+        for (int i = 0; i < count; i++) {
+            low[axis] = fminf(low[axis], lights[i][0][axis]);
+            high[axis] = fmaxf(high[axis], lights[i][0][axis]);
+        }
+    }
+}
+
+static uint32_t cell_of(const float place[3], const float low[3], const float high[3])
+{
+    uint32_t cell = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double wide = (double)high[axis] - low[axis],
+                     part = wide > 0 ? ((double)place[axis] - low[axis]) / wide : 0;
+        const uint32_t at = (uint32_t)(part * ((1 << BITS) - 1));
+        for (int bit = 0; bit < BITS; bit++)
+            cell |= (at >> bit & 1) << (3 * bit + axis);
+    }
+    return cell;
+}
+
+bool light_order(float (*lights)[2][4], int count)
+{
+    float low[3], high[3];
+    Placed *placed = malloc(((size_t)count + 1) * sizeof *placed);
+    if (!placed)
+        return false;
+    find_box(lights, count, low, high);
+    for (int i = 0; i < count; i++) {
+        memcpy(placed[i].texels, lights[i], sizeof placed[i].texels);
+        placed[i].cell = cell_of(lights[i][0], low, high);
+    }
+    qsort(placed, (size_t)count, sizeof *placed, compare);
+    for (int i = 0; i < count; i++)
+        memcpy(lights[i], placed[i].texels, sizeof placed[i].texels);
+    free(placed);
+    return true;
+}

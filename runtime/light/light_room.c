@@ -1,0 +1,99 @@
+/* What the pass gather keeps of blocks of pixels for the pass light, as light_bound.c says: two buffers, and the room that they take. */
+#include "runtime/light/light_far.h"
+#include <limits.h>
+
+/* As far_blocks.glsl has them. */
+enum { GROUPS = LIGHT_FAR_GROUPS, TEXELS = 43, MAP = 64, WORD = 32 };
+
+/* Of a block. */
+static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
+
+static size_t words_bytes(const Render *render)
+{
+    const size_t bits = (size_t)light_far_most(render) / WORD, tops = (bits + WORD - 1) / WORD;
+    return (MAP + GROUPS * (tops + 2 * bits)) * sizeof(GLuint);
+}
+
+int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }
+
+static bool is_there(const Render *render) { return render->plan.there >> FRAME_TARGET_far & 1; }
+
+int light_far_bytes(const Render *render)
+{
+    const size_t pixels = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK;
+    return is_there(render) ? (int)((numbers_bytes + words_bytes(render) + pixels - 1) / pixels) : 0;
+}
+
+int light_far_block(const Render *render) { return is_there(render) ? LIGHT_FAR_BLOCK : 1; }
+
+int light_far_rows(const Render *render, int width)
+{
+    GLint storage = 0, texels = 0;
+    if (!is_there(render))
+        return INT_MAX;
+    render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
+    render->gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    const size_t words = words_bytes(render), bytes = words > numbers_bytes ? words : numbers_bytes;
+    const size_t count = words / sizeof(GLuint), most = count > GROUPS * TEXELS ? count : GROUPS * TEXELS;
+    const size_t by_storage = (size_t)storage / bytes, by_texels = (size_t)texels / most;
+    const size_t rows = (by_storage < by_texels ? by_storage : by_texels) / (size_t)light_far_blocks(width);
+    return rows < INT_MAX / LIGHT_FAR_BLOCK ? (int)rows * LIGHT_FAR_BLOCK : INT_MAX;
+}
+
+static size_t block_count(const Render *render)
+{
+    return (size_t)light_far_blocks(render->size[0]) * (size_t)light_far_blocks(render->size[1]);
+}
+
+void light_far_put(Text *out, const Render *render)
+{
+    if (is_there(render))
+        text_format(out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
+                    light_far_bytes(render),
+                    (unsigned long)(block_count(render) * (numbers_bytes + words_bytes(render))), LIGHT_FAR_BLOCK,
+                    LIGHT_FAR_BLOCK);
+    else
+        text_format(out, "%-8s  %-24s  not there\n", "far", "two buffers");
+}
+
+/* Of so many bytes for each block. */
+static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
+{
+    const GlContext *gl = render->gl;
+    gl->GenBuffers(1, buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(block_count(render) * bytes), NULL, GL_DYNAMIC_COPY);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+/* A buffer as a texture. */
+static void make_view(const Render *render, GLenum format, GLuint buffer, GLuint *view)
+{
+    const GlContext *gl = render->gl;
+    gl->GenTextures(1, view);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_BUFFER, *view);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, format, buffer);
+    gl->BindTexture(GL_TEXTURE_BUFFER, 0);
+}
+
+bool light_far_make(Render *render)
+{
+    make_buffer(render, numbers_bytes, &render->far.numbers);
+    make_buffer(render, words_bytes(render), &render->far.words);
+    make_view(render, GL_RGBA32F, render->far.numbers, &render->far.texels);
+    make_view(render, GL_R32UI, render->far.words, &render->far.bits);
+    return gl_check(render->gl, "making room for many lights");
+}
+
+void light_far_delete(Render *render)
+{
+    screen_pass_delete(&render->far.groups);
+    screen_pass_delete(&render->far.near);
+    screen_pass_delete(&render->far.gather);
+    render->gl->DeleteTextures(1, &render->far.texels); /* GL ignores the name 0 */
+    render->gl->DeleteTextures(1, &render->far.bits);
+    render->gl->DeleteBuffers(1, &render->far.numbers);
+    render->gl->DeleteBuffers(1, &render->far.words);
+    render->far = (FrameFar){0};
+}

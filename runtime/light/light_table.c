@@ -1,0 +1,92 @@
+/* Numbers of lights on the driver's side: as a block of each program that lights, where the driver's blocks have room for them all, else as a
+ * texture; so, too, for the pass gather, whose invocations read different lights, which a block gives one after the other. */
+#include "runtime/light/light_far.h"
+#include "runtime/light/lighting.h"
+#include "runtime/shadow/shadow.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { ROW = 4096, LEAST = 16 /* texels */ };
+
+/* Programs are shared by numbers of lights that are near. */
+static int room_for(int texels)
+{
+    int room = LEAST;
+    while (room < texels)
+        room *= 2;
+    return room;
+}
+
+static bool write_texture(Render *render, int unit)
+{
+    LightTable *lights = &render->lights;
+    const TextureSpec spec = {.width = lights->count < ROW ? lights->count : ROW,
+                              .height = (lights->count + ROW - 1) / ROW,
+                              .lanes = 4,
+                              .floats = lights->texels[0]};
+    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit); /* making a texture binds it */
+    if (lights->texture)
+        texture_rewrite(render->gl, lights->texture, &spec);
+    else
+        lights->texture = texture_check(render->gl, &spec) ? texture_make(render->gl, &spec) : 0;
+    return lights->texture != 0;
+}
+
+/* A driver's least is 16 KiB; 64 KiB are usual, which are 2048 plain lights. */
+static bool fits_block(const Render *render)
+{
+    GLint most = 0;
+    render->gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
+    return (size_t)render->lights.count * sizeof *render->lights.texels <= (size_t)most;
+}
+
+bool light_table_write(Render *render, int unit)
+{
+    LightTable *lights = &render->lights;
+    const bool others = render->light_counts[VIEW_SPACE_POINTS] > 0;
+    if (!lights->texels)
+        lights->texels =
+            calloc((size_t)room_for(render->scene->light_count * VIEW_SPACE_LIGHT_TEXELS), sizeof *lights->texels);
+    if (!lights->texels)
+        return gl_fail(render->gl, "out of memory");
+    view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels, render->light_counts);
+    if (light_far_used(render) && !light_order((float(*)[2][4])lights->texels, render->light_counts[VIEW_SPACE_PLAIN]))
+        return gl_fail(render->gl, "out of memory");
+    shadow_put_lights(render, lights->texels);
+    if (render->far.numbers && others != (render->light_counts[VIEW_SPACE_POINTS] > 0))
+        return gl_fail(render->gl, "lights cast shadows, or do not, where none did otherwise: this is another scene");
+    const int count = room_for(view_space_texels(render->light_counts, VIEW_SPACE_SECTIONS));
+    if (lights->count && count > lights->count)
+        return gl_fail(render->gl, "the lights take %d texels, not %d: this is another scene", count, lights->count);
+    lights->count = lights->count ? lights->count : count;
+    return (fits_block(render) && !light_far_used(render)) || write_texture(render, unit);
+}
+
+void light_table_define(const Render *render, bool scattered, char defined[LIGHT_TABLE_DEFINITION])
+{
+    *defined = 0;
+    if (fits_block(render) && !scattered)
+        snprintf(defined, LIGHT_TABLE_DEFINITION, "#define LIGHT_BLOCK %d\n", render->lights.count);
+}
+
+void light_table_set(const Render *render, int unit, ScreenPass *pass)
+{
+    const LightTable *lights = &render->lights;
+    if (lights->texture)
+        screen_pass_sampler(pass, "light_lights", unit);
+    if (fits_block(render)) /* a program has the one or the other */
+        material_write(&pass->material, "Lights", lights->texels, (size_t)lights->count * sizeof *lights->texels);
+}
+
+void light_table_bind(const Render *render, int unit)
+{
+    if (render->lights.texture)
+        texture_bind(render->gl, render->lights.texture, unit);
+}
+
+void light_table_delete(Render *render)
+{
+    render->gl->DeleteTextures(1, &render->lights.texture); /* GL ignores the name 0 */
+    free(render->lights.texels);
+    render->lights = (LightTable){0};
+}

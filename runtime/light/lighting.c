@@ -1,0 +1,184 @@
+/* What every pass that lights surfaces takes: the GLSL between what gives a Surface and the pass's own, numbers, textures. */
+#include "runtime/light/lighting.h"
+#include "runtime/shadow/exact.h"
+#include "runtime/shadow/shadow.h"
+#include "runtime/shadow/volume.h"
+#include <stdio.h>
+
+extern const char render_text_light_area[], render_text_light_sky[], render_text_light_hemisphere[],
+    render_text_lighting[], render_text_facet[], render_text_shadow_volume[], render_text_silhouette[],
+    render_text_shadow_soft[], render_text_volume_cells[];
+
+/* Units behind those of the G-buffer. */
+enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT, EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS };
+
+/* What stands for a layout where no surface has one. */
+static const char no_surface[] =
+    "struct Surface { float nothing; };\nSurface unpackSurface(ivec2 pixel) { return Surface(0.0); }\n";
+
+static int targets_of(const Render *render)
+{
+    int count = 0;
+    while (set_format(&render->set, count))
+        count++;
+    return count;
+}
+
+static void set(ScreenPass *pass, const char *name, const float values[4])
+{
+    material_set(&pass->material, &(MaterialValue){name, 4, values});
+}
+
+void lighting_place(const Render *render, ScreenPass *pass)
+{
+    if (!pass->material.store)
+        return;
+    set(pass, "light_ray", render->space.ray);
+    backdrop_set(render, true, pass);
+}
+
+static void set_numbers(const Render *render, ScreenPass *pass)
+{
+    const int targets = targets_of(render);
+    char name[] = "matc_gbuffer0";
+    float ambient[4], hemisphere[VIEW_SPACE_HEMISPHERE][4];
+    view_space_ambient(render->scene, ambient);
+    if (view_space_hemisphere(&render->space, render->scene, hemisphere))
+        material_write(&pass->material, "Hemisphere", hemisphere, sizeof hemisphere);
+    lighting_place(render, pass);
+    set(pass, "light_view", render->space.depth);
+    set(pass, "light_ambient", ambient);
+    material_set_number(&pass->material, "light_plain", (float)render->light_counts[VIEW_SPACE_PLAIN]);
+    material_set_number(&pass->material, "light_points", (float)render->light_counts[VIEW_SPACE_POINTS]);
+    material_set_number(&pass->material, "light_areas", (float)render->light_counts[VIEW_SPACE_AREAS]);
+    for (int i = 0; i < targets; i++) {
+        name[sizeof name - 2] = (char)('0' + i);
+        screen_pass_sampler(pass, name, i);
+    }
+    screen_pass_sampler(pass, "light_depth", DEPTH_UNIT);
+    light_table_set(render, LIGHTS_UNIT, pass);
+    shadow_samplers(pass, SHADOW_UNIT);
+    pass_exact_set(render, EXACT_UNIT, pass);
+    screen_pass_sampler(pass, "facet_slopes", EXACT_UNIT);
+}
+
+/* The driver's words are of texts that it put together from several. */
+static bool fail_model(const Render *render)
+{
+    char why[sizeof render->gl->error];
+    snprintf(why, sizeof why, "%s", render->gl->error);
+    return gl_fail(render->gl, "lighting surfaces by the model %s: %s", render->surface->name, why);
+}
+
+bool lighting_lights(Render *render) { return light_table_write(render, LIGHTS_UNIT); }
+
+bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
+{
+    char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
+    const char *exact[EXACT_TEXTS];
+    if ((!render->lights.texels && !lighting_lights(render)) || !shadow_make_tables(render))
+        return false;
+    const bool around_only = own->of == LIGHTING_around;
+    light_table_define(render, own->block > 0 && own->of != LIGHTING_nodes, table);
+    const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0 && !around_only,
+               sky = light_sky_shines(render->scene);
+    const bool soft = shadow_is_soft(render) && !around_only;
+    const bool cells =
+        volume_lights_cast(render) && volume_cells_are(render) && own->of != LIGHTING_nearest && !around_only;
+    const char *shadows = shadow_text(render, own->of == LIGHTING_nearest, defined);
+    pass_exact_texts(render, own->of == LIGHTING_nearest, exact);
+    if (own->of == LIGHTING_nearest && facet_lights_cast(render)) { /* never beside exact ones */
+        exact[0] = "#define FACETS\n";
+        exact[2] = render_text_facet;
+    }
+    if (around_only) {
+        *defined = 0;
+        shadows = exact[0] = exact[1] = exact[2] = "";
+    }
+    if (sky && !render->sky.map && !light_sky_make(render))
+        return false;
+    float hemisphere[VIEW_SPACE_HEMISPHERE][4];
+    const bool around = view_space_hemisphere(&render->space, render->scene, hemisphere);
+    const ScreenPassText text = {
+        .body = {render->set.unpack ? render->set.unpack : no_surface,
+                 areas ? render_text_light_area : "",
+                 sky ? render_text_light_sky : "",
+                 around ? render_text_light_hemisphere : "",
+                 render->surface_lacks,
+                 render->surface->text,
+                 surface_model_more(render->surface, 0),
+                 surface_model_more(render->surface, 1),
+                 surface_model_more(render->surface, 2),
+                 surface_model_more(render->surface, 3),
+                 surface_model_more(render->surface, 4),
+                 surface_model_more(render->surface, 5),
+                 surface_model_more(render->surface, 6),
+                 exact[0],
+                 exact[1],
+                 defined,
+                 volume_lights_cast(render) && !around_only ? render_text_shadow_volume : "",
+                 shadows,
+                 cells ? render_text_volume_cells : "",
+                 shadow_has_silhouettes(render) && !around_only ? render_text_silhouette : "",
+                 exact[2],
+                 table,
+                 own->of == LIGHTING_nearest && scene_indirect_is(render->scene) ? "#define LIGHT_AROUND_LATER\n"
+                 : own->of == LIGHTING_nodes ? "#define LIGHT_AROUND_LATER\n#undef SHADOW_SHEETS\n" /* of pixels */
+                                             : "",
+                 backdrop_light_text(render),
+                 render_text_lighting,
+                 soft ? render_text_shadow_soft : "",
+                 own->body[0],
+                 own->body[1],
+                 own->body[2],
+                 own->body[3],
+                 own->body[4],
+                 own->body[5],
+                 own->body[6]},
+        .format = frame_format(render, FRAME_TARGET_light, 0),
+        .compute = render->compute || own->of == LIGHTING_nodes,
+        .over = own->over,
+        .block = own->block};
+    if (!screen_pass_make(render->store, &text, made))
+        return fail_model(render);
+    set_numbers(render, made);
+    if (sky)
+        light_sky_set(render, SKY_UNIT, made);
+    return true;
+}
+
+bool lighting_change(Render *render, ScreenPass *pass)
+{
+    if (!light_table_write(render, LIGHTS_UNIT))
+        return false;
+    set_numbers(render, pass);
+    if (render->sky.map)
+        light_sky_set(render, SKY_UNIT, pass);
+    return true;
+}
+
+void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth)
+{
+    for (int i = 0; frame_format(render, surfaces, i); i++)
+        texture_bind(render->gl, frame_texture(render, surfaces, i), i);
+    texture_bind(render->gl, frame_texture(render, depth, 0), DEPTH_UNIT);
+    light_table_bind(render, LIGHTS_UNIT);
+    shadow_bind(render, SHADOW_UNIT);
+    pass_exact_bind(render, EXACT_UNIT);
+    if (facet_lights_cast(render))
+        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_seen, 0), EXACT_UNIT);
+    if (render->sky.map)
+        light_sky_bind(render, SKY_UNIT);
+}
+
+void lighting_run(Render *render, const LightingSource *source, ScreenPass *pass)
+{
+    shadow_sheet_draw(render, frame_texture(render, source->depth, 0));
+    for (int part = 0; part < shadow_parts_number(render); part++) {
+        shadow_parts_load(render, part);
+        lighting_bind(render, source->surfaces, source->depth);
+        if (source->own)
+            texture_bind(render->gl, source->own, LIGHTING_FREE_UNIT);
+        screen_pass_run(pass, &render->draws[FRAME_DRAW_light], &render->screen);
+    }
+}

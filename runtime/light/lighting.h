@@ -1,0 +1,60 @@
+/* Light on surfaces: its passes, what lights are as numbers, the sky as a light, what stands behind everything. */
+#ifndef MATC_LIGHT_LIGHTING_H
+#define MATC_LIGHT_LIGHTING_H
+#include "runtime/frame/frame.h"
+
+/* The sky as a light (light_sky.c): the scene has one that shines; makes render->sky, with the cache's sky; tells a pass; binds its map. */
+bool light_sky_shines(const Scene *scene);
+bool light_sky_make(Render *render);
+void light_sky_set(const Render *render, int unit, ScreenPass *pass);
+void light_sky_bind(const Render *render, int unit);
+bool pass_gather_needed(const Render *render);
+bool pass_gather_make(Render *render);
+void pass_gather_draw(Render *render);
+bool pass_light_needed(const Render *render);
+bool pass_light_make(Render *render);
+void pass_light_draw(Render *render);
+
+/* What a pass lights, and by what: layers of what is transparent by all lights; what is nearest, at which hybrid shadows were counted, by all lights but
+ * those that indirect light dims; or that by light from all around alone, without any that has a place, and without shadows; nodes of cached radiance, by the lights of what is
+ * nearest. */
+typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around, LIGHTING_nodes } LightingOf;
+
+/* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
+typedef struct {
+    const char *body[7];
+    bool over; /* it is passOver() */
+    int block; /* of screen_pass.h */
+    LightingOf of;
+} LightingText;
+enum {
+    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 10,
+    LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
+};
+bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
+/* GLSL of backdropAt(), or "": for the pass tone; for passes that light, if something is transparent. What a pass shows of it may be light. */
+const char *backdrop_text(const Render *render);
+const char *backdrop_light_text(const Render *render);
+void backdrop_set(const Render *render, bool light, ScreenPass *pass);
+/* Counts the lights, and writes their numbers. */
+bool lighting_lights(Render *render);
+/* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass that lights; bound to a unit; deleted. */
+enum { LIGHT_TABLE_DEFINITION = 64 };
+bool light_table_write(Render *render, int unit);
+void light_table_define(const Render *render, bool scattered, char defined[LIGHT_TABLE_DEFINITION]);
+void light_table_set(const Render *render, int unit, ScreenPass *pass);
+void light_table_bind(const Render *render, int unit);
+void light_table_delete(Render *render);
+/* Tells it where the tile is, if it is made. */
+void lighting_place(const Render *render, ScreenPass *pass);
+/* The camera or lights are others; there are as many. */
+bool lighting_change(Render *render, ScreenPass *pass);
+/* Runs it over the light, once for each part of shadows' lists. It reads these targets, and a texture of its own, or 0. */
+typedef struct {
+    FrameTarget surfaces, depth;
+    GLuint own;
+} LightingSource;
+void lighting_run(Render *render, const LightingSource *source, ScreenPass *pass);
+/* Binds what it reads, before it runs. */
+void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth);
+#endif

@@ -1,0 +1,51 @@
+/* The pass gather: from the G-buffer, depth and lights to what far lights give together to each block of pixels, and which are near, as light_bound.c
+ * says. Three dispatches: pass_groups.glsl finds groups of pixels; pass_near.glsl goes through the lights for each group by itself, and says which are near;
+ * pass_gather.glsl sums the others. So what sums, which needs many registers, has to do nothing else. light_room.c has the buffers. */
+#include "runtime/light/light_far.h"
+#include "runtime/light/lighting.h"
+
+extern const char render_text_far_terms[], render_text_far_blocks[], render_text_far_group[], render_text_far_lobe[],
+    render_text_far_light[], render_text_pass_near[], render_text_pass_groups[], render_text_pass_gather[];
+
+bool pass_gather_needed(const Render *render) { return render->scene && light_far_used(render); }
+
+/* `texts` stand behind what all have, the pass's own last. */
+static bool make(Render *render, LightFarUse use, const char *const texts[3], ScreenPass *made)
+{
+    char defined[LIGHT_FAR_DEFINITIONS];
+    light_far_define(render, use, defined);
+    const LightingText text = {
+        {defined, render_text_far_terms, render_text_far_blocks, render_text_far_group, texts[0], texts[1], texts[2]},
+        false,
+        LIGHT_FAR_BLOCK,
+        LIGHTING_nearest};
+    if (!lighting_make(render, &text, made))
+        return false;
+    light_far_set(render, made);
+    return true;
+}
+
+bool pass_gather_make(Render *render)
+{
+    static const char *const texts[][3] = {
+        [LIGHT_FAR_groups] = {render_text_pass_groups},
+        [LIGHT_FAR_near] = {render_text_far_lobe, render_text_far_light, render_text_pass_near},
+        [LIGHT_FAR_gather] = {render_text_far_lobe, render_text_far_light, render_text_pass_gather}};
+    FrameFar *far = &render->far;
+    if ((!render->lights.texels && !lighting_lights(render)) ||
+        !make(render, LIGHT_FAR_groups, texts[LIGHT_FAR_groups], &far->groups) ||
+        !make(render, LIGHT_FAR_near, texts[LIGHT_FAR_near], &far->near) ||
+        !make(render, LIGHT_FAR_gather, texts[LIGHT_FAR_gather], &far->gather))
+        return false;
+    far->near.layers = far->gather.layers = LIGHT_FAR_GROUPS;
+    return light_far_make(render);
+}
+
+void pass_gather_draw(Render *render)
+{
+    lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
+    light_far_bind(render);
+    screen_pass_run(&render->far.groups, &render->draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->far.near, &render->draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->far.gather, &render->draws[FRAME_DRAW_light], &render->screen);
+}

@@ -1,0 +1,107 @@
+/* The pass edge: along outlines, creases and horizons, which share of a pixel lies beyond them. Its GLSL is pass_edge.glsl; the pass tone blends
+ * by it (edge_part.glsl). What hides a line is known by the depths beside it. */
+#include "runtime/picture/picture.h"
+#include "runtime/sight/edge_list.h"
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_pass_edge[];
+
+enum { LINES_IN_ROW = 1024, GROUP = 64, DEPTH_UNIT = 0, LINES_UNIT };
+
+bool pass_edge_needed(const Render *render)
+{
+    return render->scene && render->compute && render->options.edges == RENDER_EDGES_coverage &&
+           (!render->look || render->look->scene == VOLUME_VIEW_faces);
+}
+
+const char *pass_edge_lacks(const Render *render)
+{
+    const bool asked = render->options.edges == RENDER_EDGES_coverage;
+    if (!asked || render->compute)
+        return NULL;
+    return render->options.fragment ? "it takes compute, which is off" : "it takes compute, which the driver lacks";
+}
+
+/* Texels of rows that are full. */
+static float *texels_of(const EdgeList *list, int rows)
+{
+    float *floats = calloc((size_t)rows * LINES_IN_ROW, sizeof *list->lines);
+    if (floats && list->count)
+        memcpy(floats, list->lines, (size_t)list->count * sizeof *list->lines);
+    return floats;
+}
+
+static bool make_lines(Render *render)
+{
+    EdgeList list;
+    GlContext *gl = render->gl;
+    if (!edge_list_make(render->scene, &render->space, render->whole, &list))
+        return gl_fail(gl, "out of memory");
+    const int rows = list.count ? (list.count + LINES_IN_ROW - 1) / LINES_IN_ROW : 1;
+    float *floats = texels_of(&list, rows);
+    const TextureSpec spec = {.width = LINES_IN_ROW * EDGE_LIST_TEXELS, .height = rows, .lanes = 4, .floats = floats};
+    gl->ActiveTexture(GL_TEXTURE0 + LINES_UNIT); /* making a texture binds it */
+    render->edge.lines = floats && texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
+    render->edge.count = list.count;
+    edge_list_free(&list);
+    free(floats);
+    return render->edge.lines || (floats ? false : gl_fail(gl, "out of memory"));
+}
+
+void pass_edge_place(Render *render)
+{
+    const float corner[4] = {(float)render->at[0], (float)render->at[1], (float)render->whole[0],
+                             (float)render->whole[1]};
+    if (render->edge.material.store)
+        material_set(&render->edge.material, &(MaterialValue){"edge_corner", 4, corner});
+}
+
+bool pass_edge_change(Render *render)
+{
+    if (!render->edge.material.store)
+        return true;
+    render->gl->DeleteTextures(1, &render->edge.lines);
+    if (!make_lines(render))
+        return false;
+    material_set_number(&render->edge.material, "edge_count", (float)render->edge.count);
+    return true;
+}
+
+bool pass_edge_make(Render *render)
+{
+    const bool newest = render->gl->major * 10 + render->gl->minor >= 45;
+    const ProgramText text = {
+        .compute = {newest ? "#version 450 core\n" : "#version 430 core\n", render_text_pass_edge}};
+    if (!make_lines(render) || !material_make(render->store, NULL, &text, &render->edge.material))
+        return false;
+    material_set_number(&render->edge.material, "edge_count", (float)render->edge.count);
+    material_set_number(&render->edge.material, "edge_depth", DEPTH_UNIT);
+    material_set_number(&render->edge.material, "edge_lines", LINES_UNIT);
+    pass_edge_place(render);
+    return true;
+}
+
+void pass_edge_draw(Render *render)
+{
+    static const GLuint none[4];
+    GlContext *gl = render->gl;
+    frame_use(render, &render->draws[FRAME_DRAW_edge]);
+    gl->ClearBufferuiv(GL_COLOR, 0, none);
+    if (!render->edge.count)
+        return;
+    texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), DEPTH_UNIT);
+    texture_bind(gl, render->edge.lines, LINES_UNIT);
+    material_use(&render->edge.material);
+    gl->BindImageTexture(0, frame_texture(render, FRAME_TARGET_edge, 0), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+    gl->DispatchCompute(((GLuint)render->edge.count + GROUP - 1) / GROUP, 1, 1);
+    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+void pass_edge_delete(Render *render)
+{
+    if (render->edge.material.store)
+        material_delete(&render->edge.material);
+    render->gl->DeleteTextures(1, &render->edge.lines); /* GL ignores the name 0 */
+    render->edge = (FrameEdge){0};
+}

@@ -1,0 +1,143 @@
+/* The pass tools: lines in fixed colours, which tone mapping does not change. They stand in the depth as what is opaque does, black in the light; their
+ * colours are in a target beside it, under the same glass, and the pass tone adds them. Their GLSL is tools_vertex.glsl and tools_fragment.glsl. */
+#include "runtime/picture/picture.h"
+#include "runtime/shadow/volume.h"
+#include "runtime/sight/tool_lines.h"
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+extern const char render_text_tools_vertex[], render_text_tools_fragment[];
+
+bool pass_tools_needed(const Render *render)
+{
+    const char *view = render->options.view;
+    const SceneTools *tools = render->scene ? &render->scene->tools : NULL;
+    if (render->scene && volume_view_has_volume(render))
+        return true;
+    return tools && (tools->grid || tools->axes || tools->lights) && !render->options.linear &&
+           (!view || !strcmp(view, "shown"));
+}
+
+bool pass_tools_are_there(const Render *render) { return render->plan.there >> FRAME_TARGET_tools & 1; }
+
+static void set(Render *render, const char *name, const float values[4])
+{
+    material_set(&render->tools.material, &(MaterialValue){name, 4, values});
+}
+
+void pass_tools_place(Render *render)
+{
+    if (render->tools.material.store)
+        set(render, "tools_ray", render->space.ray);
+}
+
+/* dot(n, p) = c of the world's z = 0: n is where its z axis goes, c how far the origin is along that. */
+static void set_ground(Render *render)
+{
+    const double *e = render->space.eye_from_world, *n = e + 8;
+    set(render, "tools_ground",
+        (float[]){(float)n[0], (float)n[1], (float)n[2], (float)(n[0] * e[12] + n[1] * e[13] + n[2] * e[14])});
+}
+
+static bool make_vertices(Render *render)
+{
+    const GlContext *gl = render->gl;
+    ToolLines lines;
+    if (!tool_lines_make(render->scene, &render->space, &lines))
+        return gl_fail(render->gl, "out of memory");
+    render->tools.count = lines.count;
+    if (!render->tools.array) {
+        gl->GenVertexArrays(1, &render->tools.array);
+        gl->GenBuffers(1, &render->tools.buffer);
+    }
+    gl->BindVertexArray(render->tools.array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, render->tools.buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)lines.count * (GLsizeiptr)sizeof *lines.vertices, lines.vertices,
+                   GL_DYNAMIC_DRAW);
+    for (GLuint i = 0; i < 2; i++) {
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribPointer(i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof(ToolVertex),
+                                (const void *)(uintptr_t)(i ? offsetof(ToolVertex, color) : 0)); /* by GL's habit */
+    }
+    gl->BindVertexArray(0);
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+    tool_lines_free(&lines);
+    return gl_check(render->gl, "making lines of tools");
+}
+
+bool pass_tools_change(Render *render)
+{
+    const float *m = render->space.spaces.clip_from_eye.m;
+    if (!render->tools.material.store)
+        return true;
+    set(render, "tools_clip", (float[]){m[0], m[5], m[10], m[14]});
+    set(render, "tools_w", (float[]){m[11], m[15], 0, 0});
+    set(render, "tools_view", render->space.depth);
+    set_ground(render);
+    pass_tools_place(render);
+    return make_vertices(render);
+}
+
+/* Light and colours with depth; and colours alone, for what lies before them. */
+static bool make_targets(Render *render)
+{
+    const char *format = frame_format(render, FRAME_TARGET_tools, 0);
+    const GLuint light = frame_texture(render, FRAME_TARGET_light, 0),
+                 shown = frame_texture(render, FRAME_TARGET_tools, 0);
+    const FramebufferSpec both = {render->size[0], render->size[1], 2, 0, true},
+                          alone = {both.width, both.height, 1, 0, false};
+    const FramebufferTextures lines = {.colors = {light, shown},
+                                       .depth = frame_texture(render, FRAME_TARGET_depth, 0),
+                                       .formats = {format, format}},
+                              veil = {.colors = {shown}, .formats = {format}};
+    return framebuffer_make_around(render->gl, &both, &lines, &render->tools.lines) &&
+           framebuffer_make_around(render->gl, &alone, &veil, &render->tools.colors);
+}
+
+bool pass_tools_make(Render *render)
+{
+    const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
+    const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
+    const ProgramText text = {.vertex = {head, render_text_tools_vertex},
+                              .fragment = {head, render_text_tools_fragment}};
+    return make_targets(render) && material_make(render->store, NULL, &text, &render->tools.material) &&
+           pass_tools_change(render) && volume_shown_make(render);
+}
+
+void pass_tools_draw(Render *render)
+{
+    static const float none[4];
+    const GlContext *gl = render->gl;
+    surface_draw_begin(render, &render->tools.lines, GL_GREATER);
+    gl->ClearBufferfv(GL_COLOR, 1, none);
+    material_use(&render->tools.material);
+    gl->BindVertexArray(render->tools.array);
+    gl->DrawArrays(GL_LINES, 0, render->tools.count);
+    gl->BindVertexArray(0);
+    volume_shown_draw(render);
+    surface_draw_end(render);
+}
+
+bool pass_tools_make_veil(Render *render, const LightingText *text)
+{
+    return !pass_tools_are_there(render) || lighting_make(render, text, &render->tools.veil);
+}
+
+void pass_tools_draw_veil(Render *render)
+{
+    if (pass_tools_are_there(render))
+        screen_pass_run(&render->tools.veil, &render->tools.colors, &render->screen);
+}
+
+void pass_tools_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    material_delete(&render->tools.material);
+    screen_pass_delete(&render->tools.veil);
+    framebuffer_delete(gl, &render->tools.lines);
+    framebuffer_delete(gl, &render->tools.colors);
+    gl->DeleteVertexArrays(1, &render->tools.array); /* GL ignores the name 0 */
+    gl->DeleteBuffers(1, &render->tools.buffer);
+    render->tools = (FrameTools){0};
+}

@@ -1,0 +1,77 @@
+/* What a frame's targets are made of, by the scene, its shadows and its indirect light; and the bytes of it all. */
+#include "runtime/indirect/indirect.h"
+#include "runtime/light/light_far.h"
+#include "runtime/render/passes.h"
+#include "runtime/shadow/shadow.h"
+#include "runtime/shadow/volume.h"
+
+/* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half float would be the worse. So it would where many
+ * parts add up. */
+static bool is_exact(const Render *render)
+{
+    const double degrees = 0.005;
+    if (render->options.deep || render->parted)
+        return true;
+    const LayoutRow *layout = set_layout(&render->set, &render->compile);
+    for (int i = 0; i < layout->cases[0].field_count; i++) {
+        const FieldRow *field = &layout->cases[0].fields[i];
+        if (field->source[0].slot == SLOT_normal)
+            return field_error(field) < degrees;
+    }
+    return false;
+}
+
+static const char *shown_format(const Render *render)
+{
+    const bool deep = render->options.deep;
+    return render->options.linear ? deep ? "RGBA32F" : "RGBA16F" : deep ? "RGBA16" : "RGBA8";
+}
+
+static const char *format_of(const Render *render, FrameTarget target, int texture)
+{
+    const char *const light = is_exact(render) ? "RGBA32F" : "RGBA16F";
+    const char *const open = render->options.deep ? "RGBA32F" : "RGBA16F";
+    const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] =
+                                                     volume_lights_cast(render) ? "DEPTH32F_STENCIL8" : "DEPTH32F",
+                                                 [FRAME_TARGET_mask] = volume_lights_count(render) > 8 ? "RGBA8" : "R8",
+                                                 [FRAME_TARGET_layer_depth] = "DEPTH32F",
+                                                 [FRAME_TARGET_light] = light,
+                                                 [FRAME_TARGET_rays] = open,
+                                                 [FRAME_TARGET_smooth] = open,
+                                                 [FRAME_TARGET_open] = open,
+                                                 [FRAME_TARGET_tools] = light,
+                                                 [FRAME_TARGET_cubes] = "RGBA8",
+                                                 [FRAME_TARGET_positions] = "RGBA8",
+                                                 [FRAME_TARGET_traced] = "RGBA32UI",
+                                                 [FRAME_TARGET_seen] = "R32UI",
+                                                 [FRAME_TARGET_edge] = "R32UI",
+                                                 [FRAME_TARGET_shown] = shown_format(render)};
+    if (target == FRAME_TARGET_layer_keys)
+        return texture < 2 ? "RG32UI" : NULL;
+    if (target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_layer)
+        return texture < FRAMEBUFFER_COLORS ? set_format(&render->set, texture) : NULL;
+    return texture == 0 ? one[target] : NULL;
+}
+
+/* Of pixels of the frame, along an edge of a target's. */
+static int coarse_of(const Render *render, FrameTarget target)
+{
+    if (target == FRAME_TARGET_shown)
+        return render->samples;
+    return target == FRAME_TARGET_rays || target == FRAME_TARGET_smooth ? indirect_coarse(render) : 1;
+}
+
+void frame_forms_find(Render *render)
+{
+    for (FrameTarget target = 0; target < FRAME_TARGET_COUNT; target++) {
+        FrameForm *form = &render->forms[target];
+        *form = (FrameForm){.coarse = coarse_of(render, target)};
+        for (int t = 0; t < FRAME_PLAN_TEXTURES && (form->formats[t] = format_of(render, target, t)); t++)
+            ;
+    }
+}
+
+int frame_all_bytes(const Render *render)
+{
+    return frame_plan_bytes(render) + light_far_bytes(render) + shadow_sheet_bytes(render);
+}

@@ -1,0 +1,294 @@
+/* The pass volume: hybrid shadows. The depth map of a light is the surface of one shadow volume for all that casts shadows: its texels are the
+ * vertices, and those without depth lie infinitely far away. Where the volume's surface lies behind what is seen, back faces are counted up and front
+ * faces down, in the stencil; a count that is not 0 is a bit of the light in the target mask.
+ *
+ * The volume is closed, so that counts are right with the camera in the shadow, too. Of parallel light all that is infinitely far away is one
+ * point. A spot or a face of a cube has a far side, from border to border; as it has the vertices of the border, both cancel exactly where
+ * there is no shadow. Depth is clamped: nothing is cut off. */
+#include "runtime/frame/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/shadow/volume.h"
+#include <math.h>
+#include <stdlib.h>
+
+extern const char render_text_shadow_volume[], render_text_volume_cells[], render_text_volume_vertex[];
+
+enum { BITS = 8 /* of a lane of the mask */ };
+
+/* -- programs */
+
+/* Points of the world, times 1 or, infinitely far away, 0, from a place in the map: x, y, and 1 and depth, or, of parallel light, depth and 1. */
+static void world_from_place(const ShadowView *view, double m[4][4])
+{
+    const double(*rows)[4] = view->rows;
+    const double scale = view->near > 0 ? view->near : 1;
+    double columns[3][3];
+    scene_vector_cross(rows[1], rows[2], columns[0]);
+    scene_vector_cross(rows[2], rows[0], columns[1]);
+    scene_vector_cross(rows[0], rows[1], columns[2]);
+    const double volume = scene_vector_dot(rows[0], columns[0]);
+    for (int lane = 0; lane < 3; lane++) {
+        m[3][lane] = 0;
+        for (int i = 0; i < 3; i++) {
+            const double inverse = columns[i][lane] / volume;
+            m[3][lane] -= inverse * rows[i][3];
+            m[i][lane] = scale * inverse;
+        }
+    }
+    for (int i = 0; i < 4; i++)
+        m[i][3] = i == 3;
+}
+
+static void transform(const double m[16], const double v[4], double out[4])
+{
+    for (int row = 0; row < 4; row++) {
+        out[row] = 0;
+        for (int k = 0; k < 4; k++)
+            out[row] += m[4 * k + row] * v[k];
+    }
+}
+
+/* A direction that goes across the view has no place in the picture: w is 0 in clip space, which a GPU may not draw. An orthographic camera sees all
+ * directions so. What is infinitely far away is therefore taken to be far away only: of light from a place always, 2^10 times as far as the camera, where a
+ * millionth of the light arrives; of parallel light where it goes across the view. Its walls end in one point then, so they lean by 2^-20 of the way
+ * to that. */
+static const double far_parallel = 1 << 20, far_place = 1 << 10, across = 1.0 / 1024; /* cosine */
+
+static double distance_to(const Render *render, const double point[4])
+{
+    const SceneCamera *camera = &render->scene->camera;
+    double away[3];
+    for (int i = 0; i < 3; i++)
+        away[i] = camera->position[i] - point[i];
+    return sqrt(scene_vector_dot(away, away)) + (camera->kind == SCENE_Orthographic ? camera->depth + camera->half : 0);
+}
+
+static bool goes_across(const Render *render, const double along[4])
+{
+    const SceneCamera *camera = &render->scene->camera;
+    return camera->kind == SCENE_Orthographic ||
+           fabs(scene_vector_dot(camera->back, along)) < across * sqrt(scene_vector_dot(along, along));
+}
+
+/* In clip space, from the columns for x, y, z and 1: where parallel light goes. Of the map's middle and corners that with the greatest w. */
+static void find_far(const Render *render, double world[4][4], double clip[4][4], float far[4])
+{
+    static const double places[5][2] = {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    double best = -1;
+    for (int i = 0; i < 4; i++)
+        far[i] = (float)-clip[2][i];
+    if (!goes_across(render, world[2]))
+        return;
+    const double deep = sqrt(scene_vector_dot(world[2], world[2]));
+    const double depths = far_parallel * (1 + distance_to(render, world[3]) / deep);
+    for (int k = 0; k < 5; k++) {
+        double point[4];
+        for (int i = 0; i < 4; i++)
+            point[i] = places[k][0] * clip[0][i] + places[k][1] * clip[1][i] - depths * clip[2][i] + clip[3][i];
+        for (int i = 0; i < 4 && fabs(point[3]) > 1.5 * best; i++)
+            far[i] = (float)point[i];
+        best = fmax(best, fabs(point[3]));
+    }
+}
+
+void pass_volume_place(const Render *render, int number, Material *material)
+{
+    static const char *const names[] = {"volume_x", "volume_y", "volume_z", "volume_w"};
+    const ShadowView *view = &render->shadows.views.views[number];
+    const Scene *scene = render->scene;
+    const float map[4] = {(float)number, (float)scene->shadow_size, view->near <= 0, scene->shadow_stretched};
+    double world[4][4], eye[4], clip[4][4], projection[16];
+    float far[4] = {0};
+    world_from_place(view, world);
+    for (int i = 0; i < 16; i++)
+        projection[i] = render->space.spaces.clip_from_eye.m[i];
+    for (int i = 0; i < 4; i++) {
+        transform(render->space.eye_from_world, world[i], eye);
+        transform(projection, eye, clip[i]);
+        const float column[4] = {(float)clip[i][0], (float)clip[i][1], (float)clip[i][2], (float)clip[i][3]};
+        material_set(material, &(MaterialValue){names[i], 4, column});
+    }
+    material_set(material, &(MaterialValue){"volume_map", 4, map});
+    if (view->near > 0)
+        far[0] = (float)(view->near / (far_place * (view->near + distance_to(render, world[3]))));
+    else
+        find_far(render, world, clip, far);
+    material_set(material, &(MaterialValue){"volume_far", 4, far});
+}
+
+const char *pass_volume_head(const Render *render)
+{
+    return render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 330 core\n";
+}
+
+static bool make_view(Render *render, int number)
+{
+    FrameVolumes *volumes = &render->volumes;
+    const char *const head = pass_volume_head(render);
+    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "", *const cells =
+                                                                                      volume_cells_are(render)
+                                                                                          ? render_text_volume_cells
+                                                                                          : "";
+    const ProgramText sheet = {.vertex = {head, volume_data_text(render, false), maps, render_text_shadow_volume, cells,
+                                          render_text_volume_vertex},
+                               .fragment = {head, "void main() {}\n"}};
+    const ProgramText cap = {.vertex = {head, "#define CAP\n", render_text_shadow_volume, render_text_volume_vertex},
+                             .fragment = {head, "void main() {}\n"}};
+    if (!material_make(render->store, NULL, &sheet, &volumes->sheets[number]))
+        return false;
+    pass_volume_place(render, number, &volumes->sheets[number]);
+    if (render->shadows.views.views[number].near <= 0)
+        return true;
+    if (!material_make(render->store, NULL, &cap, &volumes->caps[number]))
+        return false;
+    pass_volume_place(render, number, &volumes->caps[number]);
+    return true;
+}
+
+/* Adds the bit of a light to what is there. */
+static bool make_mark(Render *render, int number)
+{
+    static const char text[] = "layout(std140) uniform Mark { vec4 mark_bit; };\nlayout(location = 0) out vec4 bits;\n"
+                               "void main() { bits = mark_bit; }\n";
+    const char *const head = pass_volume_head(render);
+    const ProgramText mark = {.vertex = {head, screen_text}, .fragment = {head, text}};
+    float bit[4] = {0};
+    bit[number / BITS] = (float)(1 << number % BITS) / 255;
+    return material_make(render->store, NULL, &mark, &render->volumes.marks[number]) &&
+           material_set(&render->volumes.marks[number], &(MaterialValue){"mark_bit", 4, bit});
+}
+
+static bool check(const Render *render)
+{
+    const int count = volume_lights_count(render);
+    if (count > VOLUME_LIGHTS)
+        return gl_fail(render->gl, "%d lights cast hybrid shadows, more than %d", count, VOLUME_LIGHTS);
+    return render->gl->PrimitiveRestartIndex || gl_fail(render->gl, "hybrid shadows take OpenGL 3.1");
+}
+
+bool pass_volume_make(Render *render)
+{
+    FrameVolumes *volumes = &render->volumes;
+    const int views = render->shadows.views.count, lights = volume_lights_count(render);
+    if (!check(render))
+        return false;
+    volumes->sheets = calloc((size_t)views, sizeof *volumes->sheets);
+    volumes->caps = calloc((size_t)views, sizeof *volumes->caps);
+    volumes->marks = calloc((size_t)lights, sizeof *volumes->marks);
+    if (!volumes->sheets || !volumes->caps || !volumes->marks)
+        return gl_fail(render->gl, "out of memory");
+    volumes->view_count = views;
+    volumes->light_count = lights;
+    render->gl->GenVertexArrays(1, &volumes->array);
+    bool fine = true;
+    for (int i = 0; fine && i < views; i++)
+        fine = !render->shadows.views.views[i].hybrid || make_view(render, i);
+    for (int i = 0; fine && i < lights; i++)
+        fine = make_mark(render, i);
+    return fine;
+}
+
+void pass_volume_change(Render *render)
+{
+    for (int i = 0; i < render->volumes.view_count; i++) {
+        if (render->volumes.sheets[i].store)
+            pass_volume_place(render, i, &render->volumes.sheets[i]);
+        if (render->volumes.caps[i].store)
+            pass_volume_place(render, i, &render->volumes.caps[i]);
+    }
+}
+
+/* -- drawing */
+
+static void draw_view(Render *render, int view)
+{
+    const GlContext *gl = render->gl;
+    FrameVolumes *volumes = &render->volumes;
+    gl->FrontFace(render->shadows.views.views[view].mirrored ? GL_CW : GL_CCW);
+    volume_data_draw(render, view, false);
+    if (volumes->caps[view].store) {
+        gl->BindVertexArray(volumes->array);
+        material_use(&volumes->caps[view]);
+        gl->DrawArrays(GL_TRIANGLES, 0, 3 * 4 * (render->scene->shadow_size - 1));
+    }
+    gl->BindVertexArray(0);
+}
+
+static void count_faces(Render *render, const ShadowLight *light)
+{
+    const GlContext *gl = render->gl;
+    gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl->StencilFunc(GL_ALWAYS, 0, ~0u);
+    gl->StencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    gl->StencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->Enable(GL_PRIMITIVE_RESTART);
+    gl->PrimitiveRestartIndex(~0u);
+    for (int i = 0; i < light->count; i++)
+        draw_view(render, light->first + i);
+    gl->Disable(GL_PRIMITIVE_RESTART);
+    gl->FrontFace(GL_CCW);
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+/* Counts become 0 where they are read. */
+static void mark(Render *render, int number)
+{
+    const GlContext *gl = render->gl;
+    gl->Disable(GL_DEPTH_TEST);
+    gl->StencilFunc(GL_NOTEQUAL, 0, ~0u);
+    gl->StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+    gl->Enable(GL_BLEND);
+    gl->BlendFunc(GL_ONE, GL_ONE);
+    material_use(&render->volumes.marks[number]);
+    screen_draw(gl, &render->screen);
+    gl->BlendFunc(GL_ONE, GL_ZERO);
+    gl->Disable(GL_BLEND);
+}
+
+void pass_volume_draw(Render *render)
+{
+    const GlContext *gl = render->gl;
+    int number = 0;
+    surface_draw_begin(render, &render->draws[FRAME_DRAW_mask], GL_GEQUAL);
+    gl->ClearBufferfv(GL_COLOR, 0, (float[4]){0});
+    gl->Clear(GL_STENCIL_BUFFER_BIT);
+    gl->DepthMask(GL_FALSE);
+    gl->Enable(GL_STENCIL_TEST);
+    gl->Enable(GL_DEPTH_CLAMP);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
+    for (int i = 0; i < render->scene->light_count; i++)
+        if (volume_lights_has(render, i)) {
+            count_faces(render, &render->shadows.views.lights[i]);
+            mark(render, number++);
+        }
+    gl->Disable(GL_DEPTH_CLAMP);
+    gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl->StencilFunc(GL_ALWAYS, 0, ~0u);
+    gl->Disable(GL_STENCIL_TEST);
+    gl->DepthMask(GL_TRUE);
+    surface_draw_end(render);
+}
+
+static void delete_all(Material *materials, int count)
+{
+    for (int i = 0; materials && i < count; i++)
+        if (materials[i].store)
+            material_delete(&materials[i]);
+    free(materials);
+}
+
+void pass_volume_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVolumes *volumes = &render->volumes;
+    delete_all(volumes->sheets, volumes->view_count);
+    delete_all(volumes->caps, volumes->view_count);
+    delete_all(volumes->marks, volumes->light_count);
+    delete_all(volumes->shown, volumes->view_count);
+    gl->DeleteVertexArrays(1, &volumes->array); /* GL ignores the name 0 */
+    volume_data_delete(render);
+    volume_blur_delete(render);
+    *volumes = (FrameVolumes){0};
+}

@@ -1,0 +1,198 @@
+/* Draws shadow maps: depth as lights see it, and what is transparent into its lists. */
+#include "runtime/frame/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/shadow/shadow.h"
+#include "runtime/shadow/silhouette.h"
+#include "runtime/shadow/volume.h"
+#include "runtime/sight/soft_views.h"
+#include <math.h>
+
+/* Clip space from the world. Depth goes from 0 to 1 there, or from -1: twice that, less w. */
+static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
+{
+    static const double one[4] = {0, 0, 0, 1};
+    const double near[4] = {0, 0, 0, view->near};
+    const double *const depth = view->near > 0 ? near : view->rows[2], *const w = view->near > 0 ? view->rows[2] : one;
+    for (int column = 0; column < 4; column++) {
+        m[4 * column] = view->rows[0][column];
+        m[4 * column + 1] = view->rows[1][column];
+        m[4 * column + 2] = zero_to_one ? depth[column] : 2 * depth[column] - w[column];
+        m[4 * column + 3] = w[column];
+    }
+}
+
+enum { STEPS_PUSHED = -2 }; /* of depth */
+
+/* Of a slope over a texel, by which it is pushed away from the light. shadow.glsl says by how much, and why. */
+static float slopes_of(const Render *render) { return -(float)(render->scene->shadow_filter + 1) - 1.0f / 64; }
+
+static void push(const Render *render) { render->gl->PolygonOffset(slopes_of(render), STEPS_PUSHED); }
+
+static void begin(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->shadows.framebuffer);
+    gl->DrawBuffers(1, (GLenum[]){GL_NONE});
+    gl->ReadBuffer(GL_NONE);
+    gl->Viewport(0, 0, render->scene->shadow_size, render->scene->shadow_size);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthFunc(GL_GREATER);
+    gl->Enable(GL_POLYGON_OFFSET_FILL);
+    push(render);
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+}
+
+/* As a context begins. */
+static void end(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    gl->PolygonOffset(0, 0);
+    gl->Disable(GL_POLYGON_OFFSET_FILL);
+    gl->DepthFunc(GL_LESS);
+    gl->Disable(GL_DEPTH_TEST);
+}
+
+/* Into the layer of that number; what is traced with that offset, and texels of that size. */
+typedef struct {
+    const ShadowView *view;
+    int number;
+    CacheLightTrace trace;
+} Casting;
+
+/* What a view shows of what is opaque, or of the rest. Hybrid shadows and silhouettes go by triangles, so these are what they see. */
+static void cast_view(Render *render, const CacheSource *source, const Casting *casting, bool transparent)
+{
+    const ShadowView *view = casting->view;
+    const CullVolume volume = shadow_views_volume(view);
+    const bool traced = !view->hybrid && !view->silhouettes;
+    double clip[16];
+    clip_of(view, render->zero_to_one, clip);
+    cache_cast(render->gl, source, &render->cache,
+               &(CacheLight){.clip_from_world = clip,
+                             .volume = &volume,
+                             .mirrored = view->mirrored,
+                             .solid = &render->shadows.solid,
+                             .number = casting->number,
+                             .varying = view->transparent,
+                             .traced = traced ? &casting->trace : NULL},
+               transparent);
+}
+
+/* All faces lie in one layer. A texel is asked by a point's own way, so that slopes push by one texel. */
+static void cast_soft(Render *render, const CacheSource *source, int number, bool transparent)
+{
+    const GlContext *gl = render->gl;
+    const int size = render->scene->shadow_size;
+    const float slopes = -1.0f - 1.0f / 64;
+    gl->PolygonOffset(slopes, STEPS_PUSHED);
+    for (int face = 0; face < SOFT_VIEWS_FACES; face++) {
+        ShadowView view;
+        int rect[4];
+        soft_views_face(&render->shadows.views.views[number], size, face, &view, rect);
+        gl->Viewport(rect[0], rect[1], rect[2], rect[3]);
+        const Casting casting = {&view, number, {{slopes, STEPS_PUSHED}, {2 / (float)rect[2], 2 / (float)rect[3]}}};
+        cast_view(render, source, &casting, transparent);
+    }
+    gl->Viewport(0, 0, size, size);
+    push(render);
+}
+
+static void cast(Render *render, const CacheSource *source, int number, bool transparent)
+{
+    const ShadowView *view = &render->shadows.views.views[number];
+    if (view->soft)
+        cast_soft(render, source, number, transparent);
+    else {
+        const float texel = 2 / (float)render->scene->shadow_size;
+        const Casting casting = {view, number, {{slopes_of(render), STEPS_PUSHED}, {texel, texel}}};
+        cast_view(render, source, &casting, transparent);
+    }
+}
+
+static void use_layer(const Render *render, int number)
+{
+    render->gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows.maps, 0, number);
+}
+
+/* Of a hybrid light: one side of what is opaque, and nothing at the border, so that the volume that is made of it is closed. */
+static void draw_hybrid(Render *render, const CacheSource *source, int number)
+{
+    const GlContext *gl = render->gl;
+    const Scene *scene = render->scene;
+    const bool blurred = scene->shadow_volume == WORD_Volume_blurred;
+    const int inner = scene->shadow_size - 2;
+    if (blurred)
+        volume_blur_use(render);
+    else
+        use_layer(render, number);
+    gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
+    gl->Enable(GL_CULL_FACE);
+    gl->CullFace(blurred ? GL_BACK : GL_FRONT);
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(1, 1, inner, inner);
+    gl->PolygonOffset((blurred ? -(float)scene->shadow_offset : 0) - 1.0f / 64, -2);
+    cast(render, source, number, false);
+    gl->Disable(GL_CULL_FACE);
+    gl->CullFace(GL_BACK);
+    gl->Disable(GL_SCISSOR_TEST);
+    if (blurred) {
+        use_layer(render, number);
+        volume_blur_draw(render);
+    }
+    push(render);
+}
+
+void shadow_draw_depths(Render *render)
+{
+    const CacheSource source = frame_source(render);
+    begin(render);
+    for (int i = 0; i < render->shadows.views.count; i++) {
+        if (render->shadows.views.views[i].hybrid) {
+            draw_hybrid(render, &source, i);
+            continue;
+        }
+        use_layer(render, i);
+        render->gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
+        if (render->shadows.views.views[i].silhouettes)
+            render->gl->PolygonOffset(-1.0f / 64, -2); /* silhouette.glsl compares with planes */
+        if (!render->shadows.views.views[i].transparent)
+            cast(render, &source, i, false);
+        push(render);
+        if (!shadow_glass_needed(render))
+            cast(render, &source, i, true);
+    }
+    end(render);
+    silhouette_find(render);
+}
+
+/* Texels of a part in a map; beyond the map's end there are none to cut off. */
+static void cut(const GlContext *gl, const ShadowPart *part, GLuint map_row)
+{
+    const GLint first = (GLint)part->row - (GLint)map_row, low = first > 0 ? first : 0;
+    gl->Scissor((GLint)part->column, low, (GLsizei)part->columns, first + (GLsizei)part->rows - low);
+}
+
+/* The maps that a part has texels of. */
+void shadow_draw_lists(Render *render, const ShadowPart *part)
+{
+    const CacheSource source = frame_source(render);
+    const GLuint size = (GLuint)render->scene->shadow_size;
+    begin(render);
+    render->gl->DepthMask(GL_FALSE); /* what is transparent hides nothing */
+    render->gl->Enable(GL_SCISSOR_TEST);
+    shadow_glass_begin(render, part);
+    for (GLuint i = part->row / size; i * size < part->row + part->rows; i++) {
+        use_layer(render, (int)i);
+        cut(render->gl, part, i * size);
+        render->gl->DepthFunc(
+            render->shadows.views.views[i].hybrid ? GL_ALWAYS : GL_GREATER); /* blurred, it is not where it hides */
+        cast(render, &source, (int)i, true);
+    }
+    shadow_glass_end(render);
+    render->gl->Disable(GL_SCISSOR_TEST);
+    render->gl->DepthMask(GL_TRUE);
+    end(render);
+}

@@ -1,0 +1,79 @@
+/* Lists of what is transparent, for each texel of the shadow maps: the buffer. glass_store.glsl fills it, shadow.glsl reads it. */
+#include "runtime/frame/frame.h"
+#include "runtime/shadow/shadow.h"
+#include <stdlib.h>
+
+/* The buffer's first words, as glass_store.glsl has them; words of a fragment. */
+enum { COLUMN, ROW, COLUMNS, ROWS, TEXELS, ROOM, SIZE, COUNT, HEADS, NODE = 4 };
+
+bool shadow_glass_needed(const Render *render)
+{
+    return render->cache.caster_count && render->set.uses.casts == SET_CASTS_colored;
+}
+
+ShadowPart shadow_glass_whole(const Render *render)
+{
+    const GLuint size = (GLuint)render->scene->shadow_size;
+    return (ShadowPart){.columns = size, .rows = size * (GLuint)render->shadows.views.count};
+}
+
+static size_t texels_of(const ShadowPart *part) { return (size_t)part->columns * part->rows; }
+
+size_t shadow_glass_bytes(const ShadowPart *part)
+{
+    return sizeof(GLuint) * (HEADS + texels_of(part) + NODE * (size_t)part->fragments);
+}
+
+bool shadow_glass_make(Render *render, size_t bytes)
+{
+    const GlContext *gl = render->gl;
+    ShadowGlass *glass = &render->shadows.glass;
+    glass->bytes = bytes > sizeof(GLuint) * HEADS ? bytes : sizeof(GLuint) * HEADS;
+    if (!glass->buffer)
+        gl->GenBuffers(1, &glass->buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, glass->buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)glass->bytes, NULL, GL_DYNAMIC_COPY);
+    return gl_check(render->gl, "making room for shadows of what is transparent");
+}
+
+/* Four words. Nothing but a clear, so that a frame may do it. */
+static void write_words(const GlContext *gl, GLuint first, const GLuint words[4])
+{
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_RGBA32UI, (GLintptr)(first * sizeof *words), 4 * sizeof *words,
+                           GL_RGBA_INTEGER, GL_UNSIGNED_INT, words);
+}
+
+void shadow_glass_begin(const Render *render, const ShadowPart *part)
+{
+    const GlContext *gl = render->gl;
+    const ShadowGlass *glass = &render->shadows.glass;
+    const GLuint size = (GLuint)render->scene->shadow_size;
+    const size_t start = sizeof(GLuint) * HEADS, all = sizeof(GLuint) * texels_of(part);
+    const bool counts = glass->bytes < start + all; /* it holds no list yet */
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, glass->buffer);
+    write_words(gl, COLUMN, (GLuint[]){part->column, part->row, part->columns, part->rows});
+    write_words(gl, TEXELS, (GLuint[]){(GLuint)texels_of(part), counts ? 0 : part->fragments, size, 0});
+    if (!counts)
+        gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, (GLintptr)start, (GLsizeiptr)all, GL_RED_INTEGER,
+                               GL_UNSIGNED_INT, NULL);
+}
+
+void shadow_glass_end(const Render *render)
+{
+    render->gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+bool shadow_glass_count(Render *render, GLuint *count)
+{
+    const GlContext *gl = render->gl;
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->shadows.glass.buffer);
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, COUNT * sizeof(GLuint), sizeof *count, count);
+    return gl_check(render->gl, "counting what is transparent in shadow maps");
+}
+
+void shadow_glass_delete(Render *render)
+{
+    render->gl->DeleteBuffers(1, &render->shadows.glass.buffer); /* GL ignores the name 0 */
+    free(render->shadows.glass.parts);
+    render->shadows.glass = (ShadowGlass){0};
+}

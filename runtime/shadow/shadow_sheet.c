@@ -1,0 +1,290 @@
+/* Shadows of infinite planes whose transparency varies over them, here called sheets. Of what a pixel shows, the way to a light meets a sheet at a point, and
+ * what passes there is the material's value: the plane's program, compiled for a layout of that slot alone, is drawn over all pixels with the ray that meets the
+ * sheet just there (shadow_sheet.glsl). All sheets between multiply, into a layer of texels for each light, which the passes that light read.
+ *
+ * As a texel has one depth, surfaces that are transparent are peeled where there are sheets. */
+#include "runtime/frame/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/shadow/shadow.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_shadow_sheet[];
+
+enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
+
+static bool is_sheet(const CachePlane *plane) { return plane->program->caster >= 0; }
+
+/* An area light has many points, and no layer. */
+bool shadow_sheet_reads(const SceneLight *light) { return scene_light_casts(light) && light->kind != SCENE_Area; }
+
+static int count_layers(const Render *render)
+{
+    int count = 0;
+    for (int i = 0; i < render->scene->light_count; i++)
+        count += shadow_sheet_reads(&render->scene->lights[i]);
+    return count;
+}
+
+bool shadow_sheet_needed(const Render *render)
+{
+    bool needed = false;
+    for (int i = 0; i < render->set.count && count_layers(render); i++)
+        needed |= render->set.programs[i].caster >= 0 && !strcmp(render->set.programs[i].pass, "plane");
+    return needed;
+}
+
+bool shadow_sheet_check(const Render *render)
+{
+    const char *way = render->options.transparency;
+    return !shadow_sheet_needed(render) || !way || strcmp(way, "lists") != 0 ||
+           gl_fail(render->gl, "a plane whose transparency varies casts shadows, by which lists of fragments are not "
+                               "lit: transparency auto or peeling is");
+}
+
+static int count_sheets(const Render *render)
+{
+    int count = 0;
+    for (int i = 0; i < render->cache.plane_count; i++)
+        count += is_sheet(&render->cache.planes[i]);
+    return count;
+}
+
+int shadow_sheet_bytes(const Render *render)
+{
+    return shadow_sheet_needed(render) ? TEXEL_BYTES * count_layers(render) : 0;
+}
+
+void shadow_sheet_put(Text *out, const Render *render)
+{
+    if (render->shadows.sheets.layers)
+        text_format(out, "%-8s  %-24s  %d: what planes let through of %d lights\n", "sheets", "RG32UI",
+                    shadow_sheet_bytes(render), render->shadows.sheets.layer_count);
+}
+
+/* -- what is made */
+
+static bool make_layers(Render *render)
+{
+    GlContext *gl = render->gl;
+    ShadowSheets *sheets = &render->shadows.sheets;
+    GLint most = 0;
+    gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+    if (sheets->layer_count > most)
+        return gl_fail(gl, "%d lights shine through planes whose transparency varies, and the driver has room for %d",
+                       sheets->layer_count, most);
+    gl->GenTextures(1, &sheets->layers);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, sheets->layers);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32UI, render->size[0], render->size[1], sheets->layer_count, 0,
+                   GL_RG_INTEGER, GL_UNSIGNED_INT, NULL);
+    return gl_check(gl, "making room for what planes let through");
+}
+
+/* The text with worldRay as a variable: "layout(location = 7) in vec3 worldRay;" less what stands before the type. From malloc. */
+static char *without_input(const char *fragment)
+{
+    char *text = strdup(fragment), *name = text ? strstr(text, "vec3 worldRay;") : NULL;
+    for (char *at = name; at && at > text && at[-1] != '\n'; at--)
+        at[-1] = ' ';
+    return text;
+}
+
+static bool make_material(Render *render, const SetProgram *program, Material *made)
+{
+    const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
+    const char *const head = modern ? "#version 450 core\n" : "#version 430 core\n";
+    char *own = without_input(strchr(set_fragment(&render->set, program), '\n') + 1); /* behind its #version */
+    if (!own)
+        return gl_fail(render->gl, "out of memory");
+    const ProgramText text = {
+        .vertex = {head, screen_text},
+        .fragment = {head, "#define main surfaceMain\n", own, "#undef main\n", render_text_shadow_sheet}};
+    const bool done = material_make(render->store, program->program, &text, made) ||
+                      set_fail(render->gl, render->scene, program->material);
+    free(own);
+    return done;
+}
+
+static bool make_materials(Render *render)
+{
+    ShadowSheets *sheets = &render->shadows.sheets;
+    const Cache *cache = &render->cache;
+    sheets->materials = calloc((size_t)sheets->layer_count * (size_t)sheets->count + 1, sizeof *sheets->materials);
+    if (!sheets->materials)
+        return gl_fail(render->gl, "out of memory");
+    for (int layer = 0, k = 0; layer < sheets->layer_count; layer++)
+        for (int i = 0; i < cache->plane_count; i++)
+            if (is_sheet(&cache->planes[i]) &&
+                !make_material(render, &render->set.programs[cache->planes[i].program->caster],
+                               &sheets->materials[k++]))
+                return false;
+    return true;
+}
+
+/* -- what they are told */
+
+static void set(Material *material, const char *name, int lanes, const float *values)
+{
+    material_set(material, &(MaterialValue){name, lanes, values});
+}
+
+static void set_point(Material *material, const char *name, const double point[3])
+{
+    set(material, name, 3, (float[]){(float)point[0], (float)point[1], (float)point[2]});
+}
+
+static void to_eye(const double *m, const double from[3], double w, float to[4])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = (float)(m[i] * from[0] + m[4 + i] * from[1] + m[8 + i] * from[2] + m[12 + i] * w);
+    to[3] = (float)w;
+}
+
+static void set_world(const Render *render, Material *material)
+{
+    const SceneCamera *camera = &render->scene->camera;
+    const double *axes[4] = {camera->right, camera->up, camera->back, camera->position};
+    float m[16] = {0};
+    for (int i = 0; i < 12; i++)
+        m[i / 3 * 4 + i % 3] = (float)axes[i / 3][i % 3];
+    m[15] = 1;
+    set(material, "sheet_worldFromEye", 16, m);
+}
+
+static void set_light(const Render *render, const SceneLight *light, Material *material)
+{
+    const bool far = light->kind == SCENE_Directional;
+    const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
+    float place[4];
+    to_eye(render->space.eye_from_world, far ? back : light->position, far ? 0 : 1, place);
+    set(material, "sheet_light", 4, place);
+}
+
+/* Rays come from a point near the camera, on the light's side of the plane, from where they meet it steeply. */
+static void set_plane(const Render *render, const SceneLight *light, const SceneMatrix *plane, Material *material)
+{
+    const SceneCamera *camera = &render->scene->camera;
+    const double *m = plane->m, *const origin = m + 12;
+    double n[3], foot[3], eye[3], row[4];
+    scene_vector_cross(m, m + 4, n);
+    scene_vector_normalize(n);
+    const double offset = scene_vector_dot(n, origin), away = scene_vector_dot(n, camera->position) - offset;
+    const double side = light->kind == SCENE_Directional ? -scene_vector_dot(n, light->direction)
+                                                         : scene_vector_dot(n, light->position) - offset;
+    for (int i = 0; i < 3; i++) {
+        foot[i] = camera->position[i] - away * n[i];
+        eye[i] = foot[i] + (side < 0 ? -1 : 1) * fmax(fabs(away), 1) * n[i];
+        row[i] = scene_vector_dot(n, i == 0 ? camera->right : i == 1 ? camera->up : camera->back);
+    }
+    row[3] = away;
+    set(material, "sheet_plane", 4, (float[]){(float)row[0], (float)row[1], (float)row[2], (float)row[3]});
+    set_point(material, "sheet_foot", foot);
+    set_point(material, "sheet_eye", eye);
+    set_point(material, "matc_eyePosition", eye);
+    set_point(material, "matc_planeOrigin", origin);
+    set_point(material, "matc_planeU", m);
+    set_point(material, "matc_planeV", m + 4);
+}
+
+static void set_numbers(const Render *render, int layer, const SceneLight *light)
+{
+    const ShadowSheets *sheets = &render->shadows.sheets;
+    const Cache *cache = &render->cache;
+    Material *material = sheets->materials + (size_t)layer * (size_t)sheets->count;
+    for (int i = 0, before = 0; i < cache->plane_count; i++) {
+        if (!is_sheet(&cache->planes[i]))
+            continue;
+        set_world(render, material);
+        set_light(render, light, material);
+        set_plane(render, light, &render->scene->objects[cache->planes[i].object].world_from_local, material);
+        set(material, "sheet_view", 4, render->space.depth);
+        material_set_number(material, "sheet_layer", (float)layer);
+        material_set_number(material, "sheet_more", (float)(before++ > 0));
+        material_set_number(material, "sheet_cut", !render->scene->shadow_colored);
+        material_set_number(material, "sheet_layers", IMAGE_UNIT);
+        material_set_number(material, "sheet_depth", (float)sheets->depth_unit);
+        material++;
+    }
+}
+
+void shadow_sheet_change(const Render *render)
+{
+    if (!render->shadows.sheets.materials)
+        return;
+    for (int i = 0, layer = 0; i < render->scene->light_count; i++)
+        if (shadow_sheet_reads(&render->scene->lights[i]))
+            set_numbers(render, layer++, &render->scene->lights[i]);
+    shadow_sheet_place(render);
+}
+
+void shadow_sheet_place(const Render *render)
+{
+    const ShadowSheets *sheets = &render->shadows.sheets;
+    for (int i = 0; sheets->materials && i < sheets->layer_count * sheets->count; i++)
+        set(&sheets->materials[i], "sheet_ray", 4, render->space.ray);
+}
+
+bool shadow_sheet_set(const Render *render, int material, const MaterialValue *value)
+{
+    const ShadowSheets *sheets = &render->shadows.sheets;
+    bool found = false;
+    for (int layer = 0, k = 0; sheets->materials && layer < sheets->layer_count; layer++)
+        for (int i = 0; i < render->cache.plane_count; i++)
+            if (is_sheet(&render->cache.planes[i])) {
+                const int own = render->scene->objects[render->cache.planes[i].object].material;
+                found |= own == material && material_set(&sheets->materials[k], value);
+                k++;
+            }
+    return found;
+}
+
+bool shadow_sheet_make(Render *render)
+{
+    ShadowSheets *sheets = &render->shadows.sheets;
+    int units[2];
+    if (!shadow_sheet_needed(render) || sheets->materials)
+        return true;
+    sheets->count = count_sheets(render);
+    sheets->layer_count = count_layers(render);
+    if (!transparency_units(render, units) || !make_layers(render) || !make_materials(render))
+        return false;
+    sheets->depth_unit = units[0];
+    shadow_sheet_change(render);
+    return true;
+}
+
+void shadow_sheet_delete(Render *render)
+{
+    ShadowSheets *sheets = &render->shadows.sheets;
+    for (int i = 0; sheets->materials && i < sheets->layer_count * sheets->count; i++)
+        material_delete(&sheets->materials[i]);
+    free(sheets->materials);
+    render->gl->DeleteTextures(1, &sheets->layers); /* GL ignores the name 0 */
+    *sheets = (ShadowSheets){0};
+}
+
+/* -- drawing */
+
+void shadow_sheet_draw(const Render *render, GLuint depth)
+{
+    static const GLenum none = GL_NONE;
+    const GlContext *gl = render->gl;
+    const ShadowSheets *sheets = &render->shadows.sheets;
+    if (!sheets->materials)
+        return;
+    framebuffer_use(gl, &render->draws[FRAME_DRAW_light]);
+    gl->DrawBuffers(1, &none);
+    gl->BindImageTexture(IMAGE_UNIT, sheets->layers, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RG32UI);
+    texture_bind(gl, depth, sheets->depth_unit);
+    for (int i = 0; i < sheets->layer_count * sheets->count; i++) {
+        gl->MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        material_use(&sheets->materials[i]);
+        screen_draw(gl, &render->screen);
+    }
+    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}

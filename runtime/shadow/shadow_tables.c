@@ -1,0 +1,309 @@
+/* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl goes by. */
+#include "runtime/frame/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/shadow/shadow.h"
+#include "runtime/shadow/volume.h"
+#include "runtime/sight/soft_views.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_shadow[];
+
+enum { VIEW_TEXELS = 4, ROW = 1024 /* views, or planes, in a row of their texture */ };
+
+/* A row from the world, as one from the eye's space, which is turned and moved. */
+static void from_eye(const double *eye_from_world, const double row[4], float out[4])
+{
+    double last = row[3];
+    for (int i = 0; i < 3; i++) {
+        double sum = 0;
+        for (int k = 0; k < 3; k++)
+            sum += row[k] * eye_from_world[4 * k + i];
+        last -= sum * eye_from_world[12 + i];
+        out[i] = (float)sum;
+    }
+    out[3] = (float)last;
+}
+
+/* `layer` is 1 + that of its crossings, or 0. */
+static void put_view(const Render *render, const ShadowView *view, int layer, float (*texels)[4])
+{
+    for (int row = 0; row < 3; row++)
+        from_eye(render->space.eye_from_world, view->rows[row], texels[row]);
+    memcpy(texels[3], (float[4]){(float)view->near, (float)view->texel, view->hybrid ? 0 : (float)layer, (float)layer},
+           sizeof texels[3]);
+}
+
+void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4])
+{
+    double row[4];
+    scene_vector_cross(m->m, m->m + 4, row);
+    scene_vector_normalize(row);
+    row[3] = -scene_vector_dot(row, m->m + 12);
+    from_eye(render->space.eye_from_world, row, texel);
+}
+
+/* `count` times `texels` texels, ROW times a row, into the texture that is there, or a new one. */
+static bool write_table(GlContext *gl, const float (*from)[4], const int extents[2], GLuint *table)
+{
+    const int count = extents[0], row = count < ROW ? count : ROW;
+    const TextureSpec spec = {
+        .width = row * extents[1], .height = (count + ROW - 1) / ROW, .lanes = 4, .floats = from[0]};
+    if (*table)
+        texture_rewrite(gl, *table, &spec);
+    else
+        *table = texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
+    return *table != 0;
+}
+
+static bool write_views(Render *render)
+{
+    ShadowMaps *maps = &render->shadows;
+    float(*texels)[4] = calloc(((size_t)maps->views.count + ROW) * VIEW_TEXELS, sizeof *texels);
+    if (!texels)
+        return gl_fail(render->gl, "out of memory");
+    for (int i = 0, layer = 0; i < maps->views.count; i++) {
+        const ShadowView *view = &maps->views.views[i];
+        put_view(render, view, view->silhouettes ? ++layer : 0, texels + (size_t)i * VIEW_TEXELS);
+    }
+    const bool done =
+        write_table(render->gl, (const float(*)[4])texels, (int[]){maps->views.count, VIEW_TEXELS}, &maps->table);
+    free(texels);
+    return done;
+}
+
+/* Such a plane has a shadow that is known without a map: that of what is the same everywhere. */
+static bool is_glass(const CachePlane *plane) { return plane->transparent && plane->program->even; }
+
+static int count_glass(const Render *render)
+{
+    int count = 0;
+    for (int i = 0; i < render->cache.plane_count; i++)
+        count += is_glass(&render->cache.planes[i]);
+    return count;
+}
+
+/* What a plane lets through: of a cut-out all or nothing. */
+static void put_through(const Render *render, const SetProgram *program, float texel[4])
+{
+    const float *t = program->through;
+    for (int i = 0; i < 3; i++)
+        texel[i] = !render->scene->shadow_colored ? t[0] + t[1] + t[2] > 1.5f : fminf(fmaxf(t[i], 0), 1);
+}
+
+/* Opaque ones, then those of glass, each with what it lets through behind it. */
+static bool write_planes(Render *render)
+{
+    const Cache *cache = &render->cache;
+    int count = 0;
+    float(*texels)[4] = calloc(2 * (size_t)cache->plane_count + ROW, sizeof *texels);
+    if (!texels)
+        return gl_fail(render->gl, "out of memory");
+    for (int glass = 0; glass < 2; glass++)
+        for (int i = 0; i < cache->plane_count; i++) {
+            const CachePlane *plane = &cache->planes[i];
+            if (glass ? !is_glass(plane) : plane->transparent)
+                continue;
+            shadow_plane(render, &render->scene->objects[plane->object].world_from_local, texels[count++]);
+            if (glass)
+                put_through(render, plane->program, texels[count++]);
+        }
+    const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){count, 1}, &render->shadows.planes);
+    free(texels);
+    return done;
+}
+
+/* -- for the lighting of surfaces */
+
+bool shadow_is_cast(const Render *render)
+{
+    bool casts = false;
+    for (int i = 0; i < render->scene->light_count; i++)
+        casts |= scene_light_casts(&render->scene->lights[i]);
+    return casts && !render->options.no_shadows;
+}
+
+bool shadow_is_soft(const Render *render)
+{
+    bool soft = false;
+    for (int i = 0; i < render->scene->light_count; i++)
+        soft |= soft_views_wanted(&render->scene->lights[i]);
+    return soft && !render->options.no_shadows;
+}
+
+SetCasts shadow_casts(const Render *render)
+{
+    bool maps = false; /* volumes have no cut-outs */
+    for (int i = 0; i < render->scene->light_count; i++)
+        maps |= scene_light_casts(&render->scene->lights[i]) && render->scene->lights[i].shadows != WORD_Shadows_hybrid;
+    if (!shadow_is_cast(render))
+        return SET_CASTS_none;
+    if (render->scene->shadow_colored && transparency_has_lists(render->gl))
+        return SET_CASTS_colored;
+    return maps ? SET_CASTS_cut : SET_CASTS_none;
+}
+
+/* Infinite planes need no map. */
+static bool has_planes(const Render *render)
+{
+    return shadow_is_cast(render) && (render->cache.opaque_plane_count > 0 || count_glass(render) > 0);
+}
+
+bool shadow_make_views(Render *render)
+{
+    return render->options.no_shadows ||
+           shadow_views_make(render->scene, &render->cache, render->whole, &render->shadows.views) ||
+           gl_fail(render->gl, "out of memory");
+}
+
+bool shadow_make_tables(Render *render)
+{
+    const ShadowMaps *maps = &render->shadows;
+    return (!pass_shadow_needed(render) || maps->table || write_views(render)) &&
+           (!has_planes(render) || maps->planes || write_planes(render)) && shadow_sheet_make(render);
+}
+
+bool shadow_change(Render *render, bool drawn_again)
+{
+    ShadowMaps *maps = &render->shadows;
+    const int before = maps->views.count;
+    if (drawn_again) {
+        shadow_views_free(&maps->views);
+        if (!shadow_make_views(render))
+            return false;
+        maps->drawn = false;
+        render->uncounted |= shadow_glass_needed(render);
+    }
+    if (maps->views.count != before || (has_planes(render) && !maps->planes && render->light.material.store))
+        return gl_fail(render->gl, "the lights' shadows take %d maps, not %d: this is another scene", maps->views.count,
+                       before);
+    shadow_sheet_change(render);
+    return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
+}
+
+/* Some view is looked up in with its crossings, rather than made a volume of. */
+bool shadow_has_silhouettes(const Render *render)
+{
+    bool has = false;
+    for (int i = 0; i < render->shadows.views.count; i++)
+        has |= render->shadows.views.views[i].silhouettes && !render->shadows.views.views[i].hybrid;
+    return has;
+}
+
+/* What is transparent asks a volume's cells; for the rest it is counted. */
+static const char *cells_text(const Render *render, bool opaque)
+{
+    return volume_cells_are(render) && !opaque
+               ? "#define SHADOW_CUT\n#define VOLUME_HAS\n#define VOLUME_DEPTHS shadow_maps\n"
+                 "#define VOLUME_CROSSINGS silhouette_crossings\n"
+               : "";
+}
+
+const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS])
+{
+    const bool maps = pass_shadow_needed(render), planes = has_planes(render), sheets = shadow_sheet_needed(render);
+    const bool glass = shadow_glass_needed(render), panes = planes && count_glass(render) > 0;
+    int size = 0;
+    *defined = 0;
+    if (glass || panes)
+        size +=
+            snprintf(defined, SHADOW_DEFINITIONS, "#define SHADOW_COLORED\n%s%s", glass ? "#define SHADOW_GLASS\n" : "",
+                     glass && render->parted ? "#define SHADOW_PARTS\n" : "");
+    if (maps)
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
+                         render->scene->shadow_size, render->scene->shadow_filter);
+    if (shadow_has_silhouettes(render))
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_SILHOUETTES\n");
+    if (volume_lights_cast(render))
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_HYBRID\n%s%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
+                         opaque ? "#define SHADOW_MASK\n" : "", cells_text(render, opaque),
+                         render->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
+                         render->scene->shadow_stretched ? "true" : "false");
+    if (shadow_is_soft(render))
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_SOFT\n#define SOFT_POINTS %d\n", render->scene->shadow_points);
+    if (planes)
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
+                         render->cache.opaque_plane_count);
+    if (panes)
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_GLASS_PLANES %d\n",
+                         count_glass(render));
+    if (sheets)
+        snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_SHEETS\n");
+    return maps || planes || sheets ? render_text_shadow : "";
+}
+
+/* Of area lights, behind u: 1 + the first of their layers, or 0, if they cast no shadow. */
+static void put_areas(const Render *render, float (*texels)[4])
+{
+    const ShadowViews *views = &render->shadows.views;
+    float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_AREAS);
+    for (int i = 0; i < render->scene->light_count; i++) {
+        if (render->scene->lights[i].kind != SCENE_Area)
+            continue;
+        const bool casts = soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows;
+        next[2][3] = !casts ? 0 : views->count ? (float)(1 + views->lights[i].first) : 1;
+        next += VIEW_SPACE_LIGHT_TEXELS;
+    }
+}
+
+void shadow_put_lights(const Render *render, float (*texels)[4])
+{
+    const Scene *scene = render->scene;
+    const bool shadows = !render->options.no_shadows;
+    float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_POINTS);
+    put_areas(render, texels);
+    for (int i = 0, layer = 0, bit = 0, exact = 0; i < scene->light_count; i++) {
+        layer += shadow_sheet_reads(&scene->lights[i]);
+        if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
+            continue;
+        const bool casts = scene_light_casts(&scene->lights[i]) && shadows;
+        const bool mapped = casts && pass_shadow_needed(render);
+        next[2][3] = casts && exact_lists_wanted(&scene->lights[i]) ? (float)++exact : 0;
+        next[3][2] = mapped ? (float)render->shadows.views.lights[i].first : 0;
+        next[3][3] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;
+        next[1][3] = casts ? (float)layer : 0;
+        if (mapped && scene->lights[i].shadows == WORD_Shadows_hybrid)
+            next[3][3] = -2 - next[3][3] - 8.0f * (float)bit++;
+        next += VIEW_SPACE_LIGHT_TEXELS;
+    }
+}
+
+void shadow_samplers(ScreenPass *pass, int unit)
+{
+    screen_pass_sampler(pass, "shadow_maps", unit);
+    screen_pass_sampler(pass, "shadow_views", unit + 1);
+    screen_pass_sampler(pass, "shadow_planes", unit + 2);
+    screen_pass_sampler(pass, "shadow_sheets", unit + 3);
+    screen_pass_sampler(pass, "shadow_mask", unit + 4);
+    screen_pass_sampler(pass, "silhouette_crossings", unit + 5);
+}
+
+void shadow_bind(const Render *render, int unit)
+{
+    const GlContext *gl = render->gl;
+    const ShadowMaps *maps = &render->shadows;
+    if (maps->table) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->maps);
+        texture_bind(gl, maps->table, unit + 1);
+    }
+    if (maps->silhouettes.crossings) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit + 5);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->silhouettes.crossings);
+    }
+    if (maps->planes)
+        texture_bind(gl, maps->planes, unit + 2);
+    if (maps->sheets.layers) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit + 3);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->sheets.layers);
+    }
+    if (frame_texture(render, FRAME_TARGET_mask, 0))
+        texture_bind(gl, frame_texture(render, FRAME_TARGET_mask, 0), unit + 4);
+    if (maps->glass.buffer)
+        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, maps->glass.buffer);
+}

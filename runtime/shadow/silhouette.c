@@ -1,0 +1,258 @@
+/* Silhouette shadows: edges of meshes in a buffer, once; for each view, crossings into a buffer of whole numbers, and from there into a texture. */
+#include "runtime/shadow/silhouette.h"
+#include "runtime/cache/instances.h"
+#include "runtime/frame/frame.h"
+#include "runtime/sight/edge_list.h"
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_silhouette_find[], render_text_silhouette_pack[];
+
+enum { PLACES_BINDING = 1, EDGES_BINDING, EXTENTS_BINDING, GROUP = 64, SQUARE = 8, MOST_GROUPS = 65535 };
+enum { MOST_EDGES = MOST_GROUPS * GROUP /* one dispatch has so many */ };
+
+int silhouette_layer(const Render *render, int view)
+{
+    int count = 0;
+    for (int i = 0; i < view; i++)
+        count += render->shadows.views.views[i].silhouettes;
+    return count;
+}
+
+int silhouette_layers(const Render *render) { return silhouette_layer(render, render->shadows.views.count); }
+
+/* -- edges of meshes */
+
+static void put_edge(const MeshEdge *from, int face, SilhouetteEdge edge)
+{
+    memcpy(edge[0], from->ends[0], sizeof edge[0]);
+    memcpy(edge[1], from->ends[1], sizeof edge[1]);
+    memcpy(edge[2], from->apexes[face], sizeof edge[2]);
+    memcpy(edge[3], from->apexes[from->open ? face : 1], sizeof edge[3]);
+}
+
+/* Of an edge that is open one for each face, of which there may be more than two: those that were met first and last. */
+static int put_edges(const EdgeMesh *mesh, SilhouetteEdge *edges)
+{
+    int count = 0;
+    for (int i = 0; i < mesh->count; i++) {
+        const MeshEdge *edge = &mesh->edges[i];
+        put_edge(edge, 0, edges[count++]);
+        if (edge->open && memcmp(edge->apexes[0], edge->apexes[1], sizeof edge->apexes[0]) != 0)
+            put_edge(edge, 1, edges[count++]);
+    }
+    return count;
+}
+
+/* More of them behind those that are there. */
+static bool add_mesh(Silhouettes *made, const EdgeMesh *mesh, int number, SilhouetteEdge **edges)
+{
+    const size_t most = (size_t)made->edge_count + 2 * (size_t)mesh->count;
+    SilhouetteEdge *grown = most <= MOST_EDGES ? realloc(*edges, most * sizeof *grown + 1) : NULL;
+    if (!grown)
+        return false;
+    *edges = grown;
+    made->meshes[number] = (SilhouetteMesh){made->edge_count, put_edges(mesh, grown + made->edge_count)};
+    made->edge_count += made->meshes[number].count;
+    return true;
+}
+
+static bool gather_edges(const Render *render, Silhouettes *made, SilhouetteEdge **edges)
+{
+    const Cache *cache = &render->cache;
+    bool fine = true;
+    for (int i = 0; fine && i < cache->place_count && !cache->places[i].transparent; i++) {
+        const CachePlace *place = &cache->places[i];
+        EdgeMesh mesh;
+        if (made->meshes[place->mesh].count)
+            continue;
+        fine = edge_list_mesh(render->scene, &render->scene->objects[place->object], &mesh);
+        if (fine) {
+            fine = add_mesh(made, &mesh, place->mesh, edges);
+            edge_mesh_free(&mesh);
+        }
+    }
+    return fine;
+}
+
+/* -- what is there before a view is drawn */
+
+static GLuint make_buffer(Render *render, const void *from, size_t bytes)
+{
+    const GlContext *gl = render->gl;
+    GLuint buffer = 0;
+    if (bytes > transparency_most_bytes(render)) {
+        gl_fail(render->gl, "shadows: silhouette takes %lu bytes in a buffer, and there may be %lu",
+                (unsigned long)bytes, (unsigned long)transparency_most_bytes(render));
+        return 0;
+    }
+    gl->GenBuffers(1, &buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)bytes, from, GL_STATIC_DRAW);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    return buffer;
+}
+
+static bool make_edges(Render *render, Silhouettes *made)
+{
+    SilhouetteEdge *edges = NULL;
+    made->meshes = calloc((size_t)render->cache.mesh_count + 1, sizeof *made->meshes);
+    if (!made->meshes || !gather_edges(render, made, &edges)) {
+        free(edges);
+        return gl_fail(render->gl, "out of memory, or more than %d edges for shadows: silhouette", (int)MOST_EDGES);
+    }
+    made->edges = make_buffer(render, edges, (size_t)made->edge_count * sizeof *edges + 1);
+    free(edges);
+    return made->edges != 0;
+}
+
+static size_t extents_bytes(const Render *render)
+{
+    const size_t size = (size_t)render->scene->shadow_size;
+    return size * size * 2 * sizeof(GLuint);
+}
+
+static bool make_textures(Render *render, Silhouettes *made)
+{
+    const GlContext *gl = render->gl;
+    const int size = render->scene->shadow_size;
+    gl->GenTextures(1, &made->crossings);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, made->crossings);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG8, size, size, silhouette_layers(render), 0, GL_RG, GL_UNSIGNED_BYTE,
+                   NULL);
+    made->extents = make_buffer(render, NULL, extents_bytes(render));
+    gl->GenBuffers(1, &made->places);
+    return made->extents && gl_check(render->gl, "making crossings of silhouettes");
+}
+
+bool silhouette_make(Render *render)
+{
+    static const char head[] = "#version 450 core\n";
+    Silhouettes *made = &render->shadows.silhouettes;
+    if (!silhouette_layers(render))
+        return true;
+    if (!render->cache.instances || !render->gl->DispatchCompute)
+        return gl_fail(render->gl, "shadows: silhouette takes OpenGL 4.5, and the driver has %d.%d", render->gl->major,
+                       render->gl->minor);
+    return make_edges(render, made) && make_textures(render, made) &&
+           material_make(render->store, NULL, &(ProgramText){.compute = {head, render_text_silhouette_find}},
+                         &made->find) &&
+           material_make(render->store, NULL, &(ProgramText){.compute = {head, render_text_silhouette_pack}},
+                         &made->pack);
+}
+
+void silhouette_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    Silhouettes *made = &render->shadows.silhouettes;
+    gl->DeleteTextures(1, &made->crossings); /* GL ignores the name 0 */
+    gl->DeleteBuffers(3, (GLuint[]){made->extents, made->edges, made->places});
+    free(made->meshes);
+    if (made->find.store)
+        material_delete(&made->find);
+    if (made->pack.store)
+        material_delete(&made->pack);
+    *made = (Silhouettes){.crossings = 0};
+}
+
+/* -- a view */
+
+/* Three rows, then its near, the map's edge, its number: as columns of a matrix. */
+static void set_view(const Render *render, int number, Material *material)
+{
+    const ShadowView *view = &render->shadows.views.views[number];
+    float m[16] = {0};
+    for (int i = 0; i < 12; i++)
+        m[i] = (float)view->rows[i / 4][i % 4];
+    m[12] = (float)view->near;
+    m[13] = (float)render->scene->shadow_size;
+    m[14] = (float)number;
+    material_set(material, &(MaterialValue){"silhouette_view", 16, m});
+}
+
+/* Opaque objects that a view sees, sorted by mesh: what casts by depth alone comes first. How many. */
+static int list_places(Render *render, const ShadowView *view)
+{
+    Cache *cache = &render->cache;
+    const GlContext *gl = render->gl;
+    const CullVolume volume = shadow_views_volume(view);
+    uint32_t *list = cache->list + (size_t)(CACHE_LISTS - 1) * (size_t)cache->place_count;
+    int count = 0;
+    for (int i = 0; i < cache->cast_count; i++) {
+        const CachePlace *place = &cache->places[cache->cast_order[i]];
+        if (!place->transparent &&
+            cull_sees(&volume, &cache->boxes[place->mesh], &render->scene->objects[place->object].world_from_local))
+            list[count++] = cache->cast_order[i];
+    }
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->shadows.silhouettes.places);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *list * count, list, GL_DYNAMIC_DRAW);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    return count;
+}
+
+static void find_of_mesh(Render *render, const SilhouetteMesh *mesh, int first, int count)
+{
+    Silhouettes *made = &render->shadows.silhouettes;
+    const GLuint groups = ((GLuint)mesh->count + GROUP - 1) / GROUP;
+    for (int done = 0; groups && done < count; done += MOST_GROUPS) {
+        const int next = count - done < MOST_GROUPS ? count - done : MOST_GROUPS;
+        const float run[3] = {(float)mesh->first, (float)mesh->count, (float)(first + done)};
+        material_set(&made->find, &(MaterialValue){"silhouette_run", 3, run});
+        material_use(&made->find);
+        render->gl->DispatchCompute(groups, (GLuint)next, 1);
+    }
+}
+
+static void bind(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    const Silhouettes *made = &render->shadows.silhouettes;
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, render->cache.matrices);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, PLACES_BINDING, made->places);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EDGES_BINDING, made->edges);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXTENTS_BINDING, made->extents);
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, (GLsizeiptr)extents_bytes(render), GL_RED_INTEGER,
+                           GL_UNSIGNED_INT, (GLuint[]){0});
+}
+
+static void pack(Render *render, int layer)
+{
+    const GlContext *gl = render->gl;
+    Silhouettes *made = &render->shadows.silhouettes;
+    const GLuint groups = ((GLuint)render->scene->shadow_size + SQUARE - 1) / SQUARE;
+    gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    material_use(&made->pack);
+    gl->BindImageTexture(0, made->crossings, 0, GL_FALSE, layer, GL_WRITE_ONLY, GL_RG8);
+    gl->DispatchCompute(groups, groups, 1);
+    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+static void find_in_view(Render *render, int number, int layer)
+{
+    const Cache *cache = &render->cache;
+    Silhouettes *made = &render->shadows.silhouettes;
+    const int count = list_places(render, &render->shadows.views.views[number]);
+    const uint32_t *list = cache->list + (size_t)(CACHE_LISTS - 1) * (size_t)cache->place_count;
+    set_view(render, number, &made->find);
+    set_view(render, number, &made->pack);
+    bind(render);
+    for (int first = 0, end; first < count; first = end) {
+        const int mesh = cache->places[list[first]].mesh;
+        for (end = first + 1; end < count && cache->places[list[end]].mesh == mesh;)
+            end++;
+        find_of_mesh(render, &made->meshes[mesh], first, end - first);
+    }
+    pack(render, layer);
+}
+
+void silhouette_find(Render *render)
+{
+    for (int i = 0, layer = 0; i < render->shadows.views.count; i++)
+        if (render->shadows.views.views[i].silhouettes)
+            find_in_view(render, i, layer++);
+}

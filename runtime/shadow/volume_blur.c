@@ -1,0 +1,47 @@
+/* Depth blurring: a map's depths are drawn to a texture of their own first; their means are the map. */
+#include "runtime/frame/frame.h"
+#include "runtime/shadow/volume.h"
+
+extern const char render_text_volume_blur[];
+
+bool volume_blur_make(Render *render)
+{
+    GlContext *gl = render->gl;
+    FrameVolumes *volumes = &render->volumes;
+    const int size = render->scene->shadow_size;
+    const ProgramText text = {.vertex = {"#version 330 core\n", screen_text},
+                              .fragment = {"#version 330 core\n", render_text_volume_blur}};
+    if (render->scene->shadow_volume != WORD_Volume_blurred || !volume_lights_cast(render))
+        return true;
+    volumes->sharp = framebuffer_target(gl, &(TargetSpec){size, size, "DEPTH32F"});
+    return volumes->sharp && material_make(render->store, NULL, &text, &volumes->blur);
+}
+
+void volume_blur_use(const Render *render)
+{
+    render->gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, render->volumes.sharp, 0);
+}
+
+void volume_blur_draw(Render *render)
+{
+    const GlContext *gl = render->gl;
+    const int inner = render->scene->shadow_size - 2;
+    gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(1, 1, inner, inner);
+    gl->DepthFunc(GL_ALWAYS);
+    gl->Disable(GL_POLYGON_OFFSET_FILL);
+    texture_bind(gl, render->volumes.sharp, 0);
+    material_use(&render->volumes.blur);
+    screen_draw(gl, &render->screen);
+    gl->Enable(GL_POLYGON_OFFSET_FILL);
+    gl->DepthFunc(GL_GREATER);
+    gl->Disable(GL_SCISSOR_TEST);
+}
+
+void volume_blur_delete(Render *render)
+{
+    if (render->volumes.blur.store)
+        material_delete(&render->volumes.blur);
+    render->gl->DeleteTextures(1, &render->volumes.sharp); /* GL ignores the name 0 */
+}

@@ -1,0 +1,164 @@
+/* Shadow volumes that silhouettes cut, volume_cells.glsl: its vertices have no attributes. When maps are drawn, a program lists the cells of each view that
+ * have a surface, those that silhouettes cross apart from the rest (volume_list.glsl), and counts the vertices that they take, which two draws then go by. */
+#include "runtime/frame/frame.h"
+#include "runtime/shadow/silhouette.h"
+#include "runtime/shadow/volume.h"
+#include <stdint.h>
+
+extern const char render_text_shadow_volume[], render_text_volume_cells[], render_text_volume_list[];
+
+enum { LIST, COMMANDS /* binding points */, GROUP = 8, PARTS = 2 /* not crossed, crossed */, CROSSINGS_UNIT = 1 };
+
+/* As GL has it. */
+typedef struct {
+    GLuint count, instances, first, base;
+} Command;
+
+static const char maps_text[] = "uniform sampler2DArray volume_depths, volume_crossings;\n"
+                                "#define VOLUME_DEPTHS volume_depths\n#define VOLUME_CROSSINGS volume_crossings\n";
+
+bool volume_cells_are(const Render *render) { return render->scene->shadow_volume == WORD_Volume_silhouette; }
+
+static int views_of(const Render *render)
+{
+    int count = 0;
+    for (int i = 0; i < render->shadows.views.count; i++)
+        count += render->shadows.views.views[i].hybrid;
+    return count;
+}
+
+static size_t cells_of(const Render *render)
+{
+    const size_t row = (size_t)render->scene->shadow_size - 1;
+    return row * row;
+}
+
+size_t volume_cells_bytes(const Render *render)
+{
+    return (size_t)views_of(render) * (cells_of(render) * sizeof(GLuint) + PARTS * sizeof(Command));
+}
+
+/* -- making */
+
+static bool check(const Render *render)
+{
+    GlContext *gl = render->gl;
+    const size_t bytes = volume_cells_bytes(render), most = transparency_most_bytes(render);
+    GLint blocks = 0;
+    if (render->volumes.path != WORD_Path_compute)
+        return gl_fail(gl, "shadow volumes that silhouettes cut come by the path compute, or auto");
+    if (!gl->DrawArraysIndirect || !gl->DispatchCompute)
+        return gl_fail(gl, "shadow volumes that silhouettes cut take OpenGL 4.5");
+    gl->GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &blocks);
+    if (blocks < 1)
+        return gl_fail(gl,
+                       "shadow volumes that silhouettes cut take vertices that read buffers, which the driver lacks");
+    return bytes <= most || gl_fail(gl, "cells of shadow volumes take %lu bytes in a buffer, and there may be %lu",
+                                    (unsigned long)bytes, (unsigned long)most);
+}
+
+static GLuint make_buffer(const GlContext *gl, size_t bytes)
+{
+    GLuint buffer = 0;
+    gl->GenBuffers(1, &buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    return buffer;
+}
+
+bool volume_cells_make(Render *render)
+{
+    FrameVolumes *volumes = &render->volumes;
+    const ProgramText list = {.compute = {"#version 450 core\n", maps_text, render_text_shadow_volume,
+                                          render_text_volume_cells, render_text_volume_list}};
+    if (!check(render))
+        return false;
+    volumes->cells = make_buffer(render->gl, (size_t)views_of(render) * cells_of(render) * sizeof(GLuint));
+    volumes->commands = make_buffer(render->gl, (size_t)views_of(render) * PARTS * sizeof(Command));
+    return material_make(render->store, NULL, &list, &volumes->writer) &&
+           gl_check(render->gl, "making cells of shadow volumes");
+}
+
+const char *volume_cells_head(bool listed) { return listed ? "#define CELLS\n#define LISTED\n" : "#define CELLS\n"; }
+
+const char *volume_cells_maps(void) { return maps_text; }
+
+void volume_cells_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->DeleteBuffers(2, (GLuint[]){render->volumes.cells, render->volumes.commands}); /* GL ignores the name 0 */
+}
+
+/* -- lists */
+
+static void bind(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    const FrameVolumes *volumes = &render->volumes;
+    gl->ActiveTexture(GL_TEXTURE0 + CROSSINGS_UNIT);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.silhouettes.crossings);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST, volumes->cells);
+}
+
+static void list_view(Render *render, int view, int number)
+{
+    const GlContext *gl = render->gl;
+    Material *list = &render->volumes.writer;
+    const bool parallel = render->shadows.views.views[view].near <= 0;
+    const float listed[4] = {(float)view, (float)silhouette_layer(render, view), (float)number, parallel};
+    const GLuint groups = ((GLuint)render->scene->shadow_size + GROUP - 2) / GROUP;
+    material_set(list, &(MaterialValue){"volume_listed", 4, listed});
+    material_set_number(list, "volume_crossings", CROSSINGS_UNIT);
+    material_use(list);
+    gl->DispatchCompute(groups, groups, 1);
+}
+
+void volume_cells_write(Render *render)
+{
+    const GlContext *gl = render->gl;
+    bind(render);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, COMMANDS, render->volumes.commands);
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_RGBA32UI, 0,
+                           (GLsizeiptr)((size_t)views_of(render) * PARTS * sizeof(Command)), GL_RGBA_INTEGER,
+                           GL_UNSIGNED_INT, (GLuint[]){0, 1, 0, 0});
+    for (int view = 0, number = 0; view < render->shadows.views.count; view++)
+        if (render->shadows.views.views[view].hybrid)
+            list_view(render, view, number++);
+    gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+/* -- drawing */
+
+static void set_cells(const Render *render, int view, Material *material, const int part[2])
+{
+    const float cells[4] = {(float)silhouette_layer(render, view), (float)part[0], (float)part[1], 0};
+    material_set(material, &(MaterialValue){"volume_cells", 4, cells});
+    material_set_number(material, "volume_crossings", CROSSINGS_UNIT);
+    material_use(material);
+}
+
+void volume_cells_draw(const Render *render, int view, int number)
+{
+    const GlContext *gl = render->gl;
+    bind(render);
+    gl->BindVertexArray(render->volumes.array);
+    gl->BindBuffer(GL_DRAW_INDIRECT_BUFFER, render->volumes.commands);
+    for (int part = 0; part < PARTS; part++) {
+        set_cells(render, view, &render->volumes.sheets[view], (int[]){number, part});
+        gl->DrawArraysIndirect(GL_TRIANGLES,
+                               (const void *)(uintptr_t)((size_t)(PARTS * number + part) * sizeof(Command)));
+    }
+    gl->BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+void volume_cells_draw_all(const Render *render, int view, int number)
+{
+    enum { VERTICES = 30 /* of a cell: VOLUME_MOST triangles */ };
+    bind(render);
+    render->gl->BindVertexArray(render->volumes.array);
+    set_cells(render, view, &render->volumes.shown[view], (int[]){number, 0});
+    render->gl->DrawArrays(GL_TRIANGLES, 0, (GLsizei)(VERTICES * cells_of(render)));
+}

@@ -1,0 +1,111 @@
+/* Volumes of hybrid shadows as one can look at them. They are drawn beside the lines of the pass tools: tone mapping leaves their colours as they are, and
+ * what lies before them in the depth hides them. Their GLSL is volume_vertex.glsl and volume_shown.glsl. */
+#include "runtime/frame/frame.h"
+#include "runtime/shadow/volume.h"
+#include <stdlib.h>
+
+extern const char render_text_shadow_volume[], render_text_volume_cells[], render_text_volume_vertex[],
+    render_text_volume_shown[];
+
+static void place(const Render *render, int view)
+{
+    Material *material = &render->volumes.shown[view];
+    pass_volume_place(render, view, material);
+    material_set(material, &(MaterialValue){"look_ray", 4, render->space.ray});
+    material_set(material, &(MaterialValue){"look_view", 4, render->space.depth});
+}
+
+void volume_shown_place(const Render *render)
+{
+    for (int i = 0; render->volumes.shown && i < render->shadows.views.count; i++)
+        if (render->volumes.shown[i].store)
+            place(render, i);
+}
+
+/* Lines hide what is behind them, and so do faces where there is nothing else; over the scene one looks through faces. */
+static const char *define_look(const Render *render)
+{
+    const VolumeView *look = render->look;
+    if (look->volume == VOLUME_VIEW_lines)
+        return "#define LINES\n#define VIEWED\n";
+    return look->scene == VOLUME_VIEW_none ? "#define SOLID\n#define VIEWED\n" : "#define VIEWED\n";
+}
+
+static bool make_view(Render *render, int view)
+{
+    const char *const head = pass_volume_head(render), *const defined = define_look(render);
+    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "", *const cells =
+                                                                                      volume_cells_are(render)
+                                                                                          ? render_text_volume_cells
+                                                                                          : "";
+    const ProgramText text = {.vertex = {head, defined, volume_data_text(render, true), maps, render_text_shadow_volume,
+                                         cells, render_text_volume_vertex},
+                              .fragment = {head, defined, render_text_volume_shown}};
+    if (!material_make(render->store, NULL, &text, &render->volumes.shown[view]))
+        return false;
+    place(render, view);
+    return true;
+}
+
+bool volume_shown_make(Render *render)
+{
+    const int count = render->shadows.views.count;
+    bool fine = true;
+    if (!volume_view_has_volume(render))
+        return true;
+    if (render->options.linear)
+        return gl_fail(render->gl, "the view '%s' is the picture in other colours: as OpenEXR there is none",
+                       render->look->name);
+    if (!volume_lights_cast(render))
+        return gl_fail(render->gl, "there is no view '%s': no light casts hybrid shadows here", render->look->name);
+    render->volumes.shown = calloc((size_t)count, sizeof *render->volumes.shown);
+    if (!render->volumes.shown)
+        return gl_fail(render->gl, "out of memory");
+    for (int i = 0; fine && i < count; i++)
+        fine = !render->shadows.views.views[i].hybrid || make_view(render, i);
+    return fine;
+}
+
+/* What is behind is seen through a face by a share, wherever it is in the order: depth stays. */
+static void begin(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->Enable(GL_DEPTH_CLAMP);
+    gl->Enable(GL_PRIMITIVE_RESTART);
+    gl->PrimitiveRestartIndex(~0u);
+    gl->DepthFunc(GL_GEQUAL);
+    gl->DepthMask(render->look->scene == VOLUME_VIEW_none);
+    gl->Enable(GL_BLEND);
+    gl->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (render->look->volume == VOLUME_VIEW_lines)
+        gl->PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
+}
+
+static void end(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    gl->BlendFunc(GL_ONE, GL_ZERO);
+    gl->Disable(GL_BLEND);
+    gl->DepthMask(GL_TRUE);
+    gl->FrontFace(GL_CCW);
+    gl->Disable(GL_PRIMITIVE_RESTART);
+    gl->Disable(GL_DEPTH_CLAMP);
+}
+
+void volume_shown_draw(Render *render)
+{
+    if (!volume_view_has_volume(render))
+        return;
+    begin(render);
+    for (int i = 0; i < render->shadows.views.count; i++) {
+        if (!render->volumes.shown[i].store)
+            continue;
+        render->gl->FrontFace(render->shadows.views.views[i].mirrored ? GL_CW : GL_CCW);
+        volume_data_draw(render, i, true);
+    }
+    render->gl->BindVertexArray(0);
+    end(render);
+}

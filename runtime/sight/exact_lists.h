@@ -1,0 +1,41 @@
+/* What each light whose shadows are exact sees of the triangles, for lists of them by cells: whatever hides a point of a cell from the light is in
+ * the cell's list. exact_cover.h makes the lists. No GL.
+ *
+ * A light sees one view, all around (six views of 90 degrees, as shadow_views.h has them), or, directional, one without perspective. Each is a
+ * square of cells. */
+#ifndef MATC_RENDER_EXACT_LISTS_H
+#define MATC_RENDER_EXACT_LISTS_H
+#include "runtime/sight/exact_triangles.h"
+
+/* Words of a light's head, as exact.glsl and exact_cover.glsl have them; ROWS and what is before are floats. */
+typedef enum {
+    EXACT_LISTS_FROM,       /* three: the light's position; directional: the way to it, of unit length */
+    EXACT_LISTS_PLACED = 3, /* 1: it has a position */
+    EXACT_LISTS_ROWS,       /* four each: lanes of a place, of (point - position, 1), or of (point, 1) */
+    EXACT_LISTS_VIEWS = 16, /* 1, or 6 */
+    EXACT_LISTS_SIZE,       /* cells of a view's edge */
+    EXACT_LISTS_CELLS,      /* the first cell's word: each has two, those in which its list begins and ends */
+    EXACT_LISTS_HEAD
+} ExactListsWord;
+
+enum {
+    EXACT_LISTS_PAIR = 2,           /* words of a cell */
+    EXACT_LISTS_COARSEST = 10,      /* times that cells can be made twice as wide: one is left then */
+    EXACT_LISTS_LIGHTS_MOST = 65535 /* that can have heads */
+};
+
+typedef struct {
+    uint32_t *heads; /* one behind the other */
+    int light_count; /* that have one, in the order of the scene */
+    size_t cells;    /* of all views: their words follow the heads */
+} ExactLists;
+
+/* A light's shadows are exact. */
+bool exact_lists_wanted(const SceneLight *light);
+/* Objects that lists can't have, as their transparency varies: they cast shadows by maps. */
+int exact_lists_lack(const Cache *cache);
+/* Heads with cells that are 2^coarser times as wide as they would be. False: memory ran out; *made is empty then. */
+bool exact_lists_make(const Scene *scene, const ExactTriangles *triangles, int coarser, ExactLists *made);
+/* Safe on an empty one. */
+void exact_lists_free(ExactLists *lists);
+#endif

@@ -1,0 +1,186 @@
+/* Corners go to the world in double. Their middle is known after a first turn over all objects; a second writes what they are from there. */
+#include "runtime/sight/exact_triangles.h"
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* Shapes of meshes, made when the first object of each is met; those of files are borrowed. */
+typedef struct {
+    const Scene *scene;
+    const Cache *cache;
+    Shape *shapes;
+    bool *made;
+} Shapes;
+
+static bool shapes_open(const Scene *scene, const Cache *cache, Shapes *shapes)
+{
+    const size_t count = (size_t)cache->mesh_count + 1;
+    *shapes = (Shapes){scene, cache, calloc(count, sizeof *shapes->shapes), calloc(count, sizeof *shapes->made)};
+    return shapes->shapes && shapes->made;
+}
+
+static void shapes_close(Shapes *shapes)
+{
+    for (int i = 0; shapes->made && shapes->shapes && i < shapes->cache->mesh_count; i++)
+        if (shapes->made[i])
+            shape_free(&shapes->shapes[i]);
+    free(shapes->shapes);
+    free(shapes->made);
+}
+
+/* Of an object; NULL: memory ran out. */
+static const Shape *shape_of(Shapes *shapes, int number)
+{
+    const CachePlace *place = &shapes->cache->places[shapes->cache->place_of[number]];
+    const SceneObject *object = &shapes->scene->objects[number];
+    if (object->kind == SCENE_Mesh)
+        return &shapes->scene->meshes[object->mesh].shape;
+    if (!shapes->made[place->mesh])
+        shapes->made[place->mesh] = scene_solid(object, &shapes->shapes[place->mesh]);
+    return shapes->made[place->mesh] ? &shapes->shapes[place->mesh] : NULL;
+}
+
+static void to_world(const SceneMatrix *matrix, const float local[3], double world[3])
+{
+    const double *m = matrix->m;
+    for (int i = 0; i < 3; i++)
+        world[i] = m[i] * local[0] + m[4 + i] * local[1] + m[8 + i] * local[2] + m[12 + i];
+}
+
+static const double grid = 1.0 / 32; /* of the reach, as a power of two: what the middle is rounded to */
+
+/* False: memory ran out. */
+static bool measure(Shapes *shapes, ExactObject *object)
+{
+    const Shape *shape = shape_of(shapes, object->object);
+    const SceneMatrix *matrix = &shapes->scene->objects[object->object].world_from_local;
+    double world[3];
+    object->box = (ExactBox){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    object->count = shape ? shape->index_count / 3 : 0;
+    for (int i = 0; i < 3 * object->count; i++) {
+        to_world(matrix, shape->vertices[shape->indices[i]].position, world);
+        for (int k = 0; k < 3; k++) {
+            object->box.low[k] = fmin(object->box.low[k], world[k]);
+            object->box.high[k] = fmax(object->box.high[k], world[k]);
+        }
+    }
+    return shape;
+}
+
+/* Boxes of 0 to 2 and of 0 to 4: their middle is 2, their reach 2, steps of the grid 1/16. Where the second grows to 4.01, the middle stays 2. */
+static void set_origin(ExactTriangles *made)
+{
+    ExactBox all = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    double widest = 0;
+    for (int i = 0; i < made->object_count; i++)
+        for (int k = 0; k < 3; k++) {
+            all.low[k] = fmin(all.low[k], made->objects[i].box.low[k]);
+            all.high[k] = fmax(all.high[k], made->objects[i].box.high[k]);
+        }
+    for (int k = 0; k < 3; k++)
+        widest = fmax(widest, all.high[k] - all.low[k]);
+    const double step = widest > 0 ? exp2(floor(log2(widest / 2))) * grid : 1;
+    made->reach = 0;
+    for (int k = 0; k < 3; k++) {
+        made->origin[k] = made->count ? round((all.low[k] + all.high[k]) / 2 / step) * step : 0;
+        if (made->count)
+            made->reach = fmax(made->reach, fmax(all.high[k] - made->origin[k], made->origin[k] - all.low[k]));
+    }
+}
+
+static bool measure_all(Shapes *shapes, ExactTriangles *made)
+{
+    const Cache *cache = shapes->cache;
+    size_t count = 0;
+    made->objects = calloc((size_t)cache->place_count + 1, sizeof *made->objects);
+    for (int i = 0; made->objects && i < cache->place_count; i++) {
+        ExactObject *object = &made->objects[made->object_count];
+        if (!exact_triangles_have(&cache->places[i]))
+            continue;
+        made->object_count++;
+        made->opaque_count += !cache->places[i].transparent;
+        *object = (ExactObject){.object = cache->places[i].object, .first = (int)count};
+        count += measure(shapes, object) ? (size_t)object->count : INT_MAX;
+        if (count > INT_MAX / sizeof(ExactCorners))
+            return false;
+    }
+    made->count = (int)count;
+    return made->objects;
+}
+
+bool exact_triangles_have(const CachePlace *place) { return !place->transparent || place->even; }
+
+bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made)
+{
+    Shapes shapes;
+    *made = (ExactTriangles){.reach = 0};
+    const bool done = shapes_open(scene, cache, &shapes) && measure_all(&shapes, made);
+    shapes_close(&shapes);
+    if (done)
+        set_origin(made);
+    else
+        exact_triangles_free(made);
+    return done;
+}
+
+bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2], ExactTriangles *triangles)
+{
+    Shapes shapes;
+    bool done = shapes_open(scene, cache, &shapes);
+    for (int i = range[0]; done && i < range[1]; i++)
+        done = measure(&shapes, &triangles->objects[i]);
+    shapes_close(&shapes);
+    if (done)
+        set_origin(triangles);
+    return done;
+}
+
+/* As a cut-out, all or nothing. */
+static float share_of(const Scene *scene, const CachePlace *place, int lane)
+{
+    const float *t = place->even;
+    if (!place->transparent)
+        return 0;
+    return scene->shadow_colored ? fminf(fmaxf(t[lane], 0), 1) : t[0] + t[1] + t[2] > 1.5f;
+}
+
+static void put_shares(const Scene *scene, const CachePlace *place, int count, ExactCorners *corners)
+{
+    for (int i = 0; i < 3 * count; i++)
+        corners[i / 3][i % 3][3] = share_of(scene, place, i % 3);
+}
+
+static void put_corners(const Shape *shape, const SceneMatrix *matrix, const double origin[3], ExactCorners *corners)
+{
+    double world[3];
+    for (int i = 0; i < shape->index_count; i++) {
+        to_world(matrix, shape->vertices[shape->indices[i]].position, world);
+        for (int k = 0; k < 3; k++)
+            corners[i / 3][i % 3][k] = (float)(world[k] - origin[k]);
+    }
+}
+
+bool exact_triangles_corners(const Scene *scene, const Cache *cache, const ExactTriangles *triangles,
+                             const int range[2], ExactCorners *corners)
+{
+    Shapes shapes;
+    bool done = shapes_open(scene, cache, &shapes);
+    for (int i = range[0]; done && i < range[1]; i++) {
+        const ExactObject *object = &triangles->objects[i];
+        const Shape *shape = shape_of(&shapes, object->object);
+        ExactCorners *to = corners + object->first - triangles->objects[range[0]].first;
+        done = shape != NULL;
+        if (done) {
+            put_corners(shape, &scene->objects[object->object].world_from_local, triangles->origin, to);
+            put_shares(scene, &cache->places[cache->place_of[object->object]], object->count, to);
+        }
+    }
+    shapes_close(&shapes);
+    return done;
+}
+
+void exact_triangles_free(ExactTriangles *triangles)
+{
+    free(triangles->objects);
+    *triangles = (ExactTriangles){.reach = 0};
+}

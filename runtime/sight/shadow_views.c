@@ -1,0 +1,340 @@
+/* Fits views to lights and to the boxes around what casts shadows. */
+#include "runtime/sight/exact_lists.h"
+#include "runtime/sight/soft_views.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CORNERS = 8 };
+
+static const double widest = 0.5;         /* cosine: a spot with a wider cone has a cube, whose texels are finer */
+static const double nearest = 1.0 / 4096; /* of the distance to the farthest object: what is nearer casts no shadow */
+
+static const double coarser = 4; /* a cascade ends at so many times the depth of the one before */
+static const double steps = 4;   /* of sizes of a cascade's texels from one to twice it */
+
+typedef struct {
+    const Scene *scene;
+    ShadowViews *made;
+    const int *size;      /* of the picture */
+    double (*corners)[3]; /* of boxes around what casts shadows, in the world */
+    int count;
+    bool varying; /* something casts shadows whose transparency varies */
+} Fit;
+
+static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_from_local)
+{
+    const double *m = world_from_local->m, *const ends[2] = {box->low, box->high};
+    for (int i = 0; i < CORNERS; i++, fit->count++) {
+        const double at[3] = {ends[i & 1][0], ends[i >> 1 & 1][1], ends[i >> 2 & 1][2]};
+        for (int lane = 0; lane < 3; lane++)
+            fit->corners[fit->count][lane] = m[lane] * at[0] + m[4 + lane] * at[1] + m[8 + lane] * at[2] + m[12 + lane];
+    }
+}
+
+/* A row that is 0 at `origin`. */
+static void set_row(const double axis[3], double scale, const double origin[3], double row[4])
+{
+    for (int lane = 0; lane < 3; lane++)
+        row[lane] = scale * axis[lane];
+    row[3] = -scale * scene_vector_dot(axis, origin);
+}
+
+/* -- point and spot */
+
+/* How near the view begins: at the nearest box around an object, but no nearer than a share of the distance to the farthest. Nearer, and depth
+ * far away would be lost; further, and objects. */
+static double near_of(const Fit *fit, const double position[3])
+{
+    double least = INFINITY, most = 0;
+    for (int object = 0; object < fit->count; object += CORNERS) {
+        double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, square = 0;
+        for (int i = 0; i < CORNERS; i++) {
+            const double *corner = fit->corners[object + i];
+            double distance = 0;
+            for (int lane = 0; lane < 3; lane++) {
+                low[lane] = fmin(low[lane], corner[lane]);
+                high[lane] = fmax(high[lane], corner[lane]);
+                distance = hypot(distance, corner[lane] - position[lane]);
+            }
+            most = fmax(most, distance);
+        }
+        for (int lane = 0; lane < 3; lane++) {
+            const double out = fmax(fmax(low[lane] - position[lane], position[lane] - high[lane]), 0);
+            square += out * out;
+        }
+        least = fmin(least, sqrt(square));
+    }
+    const double along = least / sqrt(3); /* of a cube's view, at its corner, as far as that */
+    return fmax(fmax(along * 0.99, most * nearest), 1e-30);
+}
+
+/* Half the edge of a cube's face, at distance 1. A hybrid light's border has no shadow, and silhouettes have none beyond a border's centres: faces
+ * overlap by it. */
+static double face_of(const Scene *scene, const SceneLight *light)
+{
+    enum { BORDER = 4 }; /* texels, of both sides: the border, and half of one to the centre of the next */
+    const bool wide = light->shadows == WORD_Shadows_hybrid || light->shadows == WORD_Shadows_silhouette;
+    return wide ? (double)scene->shadow_size / (scene->shadow_size - BORDER) : 1;
+}
+
+static void fit_cube(const Fit *fit, const SceneLight *light, ShadowView views[SHADOW_VIEWS_CUBE])
+{
+    const double half = face_of(fit->scene, light);
+    const double near = near_of(fit, light->position) / half;
+    for (int face = 0; face < SHADOW_VIEWS_CUBE; face++) {
+        const int axis = face / 2;
+        double axes[3][3] = {{0}};
+        axes[0][(axis + 1) % 3] = axes[1][(axis + 2) % 3] = axes[2][axis] = 1;
+        for (int row = 0; row < 3; row++)
+            set_row(axes[row], row < 2 ? 1 / half : face % 2 ? -1 : 1, light->position, views[face].rows[row]);
+        views[face].near = near;
+        views[face].texel = 2 * half / fit->scene->shadow_size;
+        views[face].mirrored = face % 2 == 0; /* x, y and z of a right-handed view: z comes towards it */
+    }
+}
+
+/* Room beside the cone for what the filter reads. */
+static double widened(const Scene *scene) { return 1 + 2.0 * (scene->shadow_filter + 2) / scene->shadow_size; }
+
+static void fit_cone(const Fit *fit, const SceneLight *light, ShadowView *view)
+{
+    const double cosine = fmax(light->outer_cosine, widest);
+    const double half = fmax(sqrt(1 - fmin(cosine * cosine, 1)) / cosine, 1e-6) * widened(fit->scene);
+    double x[3], y[3];
+    scene_vector_axes(light->direction, x, y);
+    set_row(x, 1 / half, light->position, view->rows[0]);
+    set_row(y, 1 / half, light->position, view->rows[1]);
+    set_row(light->direction, 1, light->position, view->rows[2]);
+    view->near = near_of(fit, light->position);
+    view->texel = 2 * half / fit->scene->shadow_size;
+    view->mirrored = true;
+}
+
+/* -- directional */
+
+static void range_of(const Fit *fit, const double axis[3], double range[2])
+{
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (int i = 0; i < fit->count; i++) {
+        const double along = scene_vector_dot(axis, fit->corners[i]);
+        range[0] = fmin(range[0], along);
+        range[1] = fmax(range[1], along);
+    }
+}
+
+/* The middle of a map along an axis, and half of what it shows. */
+typedef struct {
+    double middle, half;
+} Reach;
+
+/* Texels of a cascade lie where they lay before the camera moved a little: their size is one of few, and their edges are at multiples of it. So ends
+ * of shadows stand still. A map of 8 texels for 5.1 to 9.9, 4.8 wide: of the sizes 0.595, 0.707, 0.841, ... seven texels of 0.707 hold it, and one is for the
+ * shift; its middle, 7.5, goes to 11 of them, 7.778. It shows 4.950 to 10.606. For 5.2 to 10, too. */
+static void snap(int size, Reach *reach)
+{
+    const double least = 2 * reach->half / (size - 1);
+    const double texel = exp2(ceil(steps * log2(least)) / steps);
+    reach->middle = round(reach->middle / texel) * texel;
+    reach->half = texel * size / 2;
+}
+
+/* What a cascade shows along two axes, or all that casts shadows. */
+static void fit_box(const Fit *fit, const SceneLight *light, const double (*shown)[2], ShadowView *view)
+{
+    double axes[3][3], ranges[3][2], most = 1e-30;
+    memcpy(axes[2], light->direction, sizeof axes[2]);
+    scene_vector_axes(axes[2], axes[0], axes[1]);
+    for (int i = 0; i < 3; i++) {
+        range_of(fit, axes[i], ranges[i]);
+        most = fmax(most, ranges[i][1] - ranges[i][0]);
+    }
+    for (int i = 0; i < 2; i++) {
+        const double low = shown ? fmax(ranges[i][0], shown[i][0]) : ranges[i][0];
+        const double high = shown ? fmin(ranges[i][1], shown[i][1]) : ranges[i][1];
+        Reach reach = {(low + high) / 2, fmax((high - low) / 2, 1e-4 * most) * widened(fit->scene)};
+        if (shown)
+            snap(fit->scene->shadow_size, &reach);
+        set_row(axes[i], 1 / reach.half, (double[]){0, 0, 0}, view->rows[i]);
+        view->rows[i][3] = -reach.middle / reach.half;
+        view->texel = fmax(view->texel, 2 * reach.half / fit->scene->shadow_size);
+    }
+    const double deep = 2 * fmax(ranges[2][1] - ranges[2][0], 1e-4 * most);
+    set_row(axes[2], -1 / deep, (double[]){0, 0, 0}, view->rows[2]);
+    view->rows[2][3] = 1 + ranges[2][0] / deep;
+    view->mirrored = true;
+}
+
+/* The nearest and farthest depth at which the camera can see something that casts shadows. */
+static void depths_of(const Fit *fit, double depths[2])
+{
+    const SceneCamera *camera = &fit->scene->camera;
+    const double least = camera->kind == SCENE_Perspective ? camera->near : 0,
+                 at = scene_vector_dot(camera->back, camera->position);
+    depths[0] = INFINITY;
+    depths[1] = -INFINITY;
+    for (int i = 0; i < fit->count; i++) {
+        const double depth = at - scene_vector_dot(camera->back, fit->corners[i]);
+        depths[0] = fmin(depths[0], depth);
+        depths[1] = fmax(depths[1], depth);
+    }
+    depths[0] = fmax(depths[0], fmax(least, 1e-6 * fabs(depths[1])));
+    depths[1] = fmax(depths[1], depths[0] * (1 + 1e-6));
+}
+
+/* A corner of what the picture shows at a depth, 0 to 3. */
+static void corner_of(const Fit *fit, double depth, int number, double corner[3])
+{
+    const SceneCamera *camera = &fit->scene->camera;
+    const double shorter = fmin(fit->size[0], fit->size[1]);
+    const double reach = camera->half / shorter * (camera->kind == SCENE_Perspective ? depth : 1);
+    const double right = (number & 1 ? 1 : -1) * reach * fit->size[0],
+                 up = (number & 2 ? 1 : -1) * reach * fit->size[1];
+    for (int i = 0; i < 3; i++)
+        corner[i] = camera->position[i] - depth * camera->back[i] + right * camera->right[i] + up * camera->up[i];
+}
+
+/* From the least depth to another: how far that reaches along two axes across the light. */
+static void find_shown(const Fit *fit, const SceneLight *light, const double depths[2], double shown[2][2])
+{
+    double axes[2][3], corner[3];
+    scene_vector_axes(light->direction, axes[0], axes[1]);
+    for (int axis = 0; axis < 2; axis++) {
+        shown[axis][0] = INFINITY;
+        shown[axis][1] = -INFINITY;
+        for (int i = 0; i < CORNERS; i++) {
+            corner_of(fit, depths[i / 4], i % 4, corner);
+            const double along = scene_vector_dot(axes[axis], corner);
+            shown[axis][0] = fmin(shown[axis][0], along);
+            shown[axis][1] = fmax(shown[axis][1], along);
+        }
+    }
+}
+
+/* Four cascades of what is seen from 1 to 64: to 4, to 16, to 64, and the last of all objects. Where less is seen, by smaller steps: from 1 to
+ * 8 they end at 2, 4, 8. What is seen nowhere takes the view of all. */
+static void fit_cascades(const Fit *fit, const SceneLight *light, ShadowView *views)
+{
+    const int seen = fit->scene->shadow_cascades - 1;
+    double depths[2], shown[2][2];
+    depths_of(fit, depths);
+    const double step = fmin(coarser, pow(depths[1] / depths[0], 1.0 / fmax(seen, 1)));
+    for (int i = 0; i < seen; i++) {
+        const double part[2] = {depths[0], fmax(depths[1] * pow(step, i + 1 - seen), depths[0])};
+        find_shown(fit, light, part, shown);
+        fit_box(fit, light, (const double(*)[2])shown, &views[i]);
+    }
+    fit_box(fit, light, NULL, &views[seen]);
+}
+
+/* -- area */
+
+/* The points' depths begin at the same distance. */
+static void fit_area(Fit *fit, int number)
+{
+    const SceneLight *light = &fit->scene->lights[number];
+    const int first = fit->made->count, count = soft_views_count(fit->scene, light);
+    double near = INFINITY, position[3];
+    for (int i = 0; i < count; i++) {
+        soft_views_place(fit->scene, light, i, position);
+        near = fmin(near, near_of(fit, position));
+    }
+    for (int i = 0; i < count; i++)
+        soft_views_make(fit->scene, light, i, near, &fit->made->views[first + i]);
+    fit->made->lights[number] = (ShadowLight){first, count};
+    fit->made->count += count;
+}
+
+/* -- */
+
+static bool has_cube(const SceneLight *light)
+{
+    return light->kind == SCENE_Point || (light->kind == SCENE_Spot && light->outer_cosine <= widest);
+}
+
+static void fit_light(Fit *fit, int number)
+{
+    const SceneLight *light = &fit->scene->lights[number];
+    ShadowView *views = fit->made->views + fit->made->count;
+    const bool cube = has_cube(light), hybrid = light->shadows == WORD_Shadows_hybrid;
+    const bool exact = exact_lists_wanted(light);
+    if (!scene_light_casts(light) || (exact && !fit->varying))
+        return;
+    if (light->kind == SCENE_Area) {
+        fit_area(fit, number);
+        return;
+    }
+    if (cube)
+        fit_cube(fit, light, views);
+    else if (light->kind == SCENE_Spot)
+        fit_cone(fit, light, views);
+    else if (hybrid)
+        fit_box(fit, light, NULL, views);
+    else
+        fit_cascades(fit, light, views);
+    const int flat = light->kind == SCENE_Spot || hybrid ? 1 : fit->scene->shadow_cascades;
+    fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : flat};
+    for (int i = 0; i < fit->made->lights[number].count; i++) {
+        views[i].transparent = exact;
+        views[i].silhouettes = light->shadows == WORD_Shadows_silhouette ||
+                               (hybrid && fit->scene->shadow_volume == WORD_Volume_silhouette);
+    }
+    fit->made->count += fit->made->lights[number].count;
+    for (ShadowView *view = views; hybrid && view < fit->made->views + fit->made->count; view++)
+        view->hybrid = true;
+}
+
+/* Views that there may be, at most. */
+static size_t room_for(const Scene *scene)
+{
+    size_t room = 1;
+    for (int i = 0; i < scene->light_count; i++)
+        room += (size_t)soft_views_count(scene, &scene->lights[i]) + SHADOW_VIEWS_CUBE;
+    return room;
+}
+
+bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made)
+{
+    Fit fit = {.scene = scene, .made = made, .size = size, .varying = exact_lists_lack(cache) > 0};
+    const size_t lights = (size_t)scene->light_count + 1;
+    made->count = 0;
+    made->views = calloc(room_for(scene), sizeof *made->views);
+    made->lights = calloc(lights, sizeof *made->lights);
+    fit.corners = calloc((size_t)cache->place_count * CORNERS + 1, sizeof *fit.corners);
+    const bool done = made->views && made->lights && fit.corners;
+    for (int i = 0; done && i < cache->place_count; i++)
+        add_corners(&fit, &cache->boxes[cache->places[i].mesh],
+                    &scene->objects[cache->places[i].object].world_from_local);
+    for (int i = 0; done && fit.count && i < scene->light_count; i++)
+        fit_light(&fit, i);
+    free(fit.corners);
+    if (!done)
+        shadow_views_free(made);
+    return done;
+}
+
+void shadow_views_free(ShadowViews *views)
+{
+    free(views->views);
+    free(views->lights);
+    *views = (ShadowViews){0};
+}
+
+CullVolume shadow_views_volume(const ShadowView *view)
+{
+    CullVolume volume = {.count = 4};
+    for (int i = 0; i < volume.count; i++) {
+        double *plane = volume.planes[i];
+        for (int k = 0; k < 4; k++) {
+            const double far = view->near > 0 ? view->rows[2][k] : k == 3;
+            plane[k] = far + (i % 2 ? 1 : -1) * view->rows[i / 2][k];
+        }
+        const double length = sqrt(scene_vector_dot(plane, plane));
+        for (int k = 0; k < 4; k++)
+            plane[k] /= length;
+        volume.terms[i] = fabs(plane[3]);
+    }
+    return volume;
+}
