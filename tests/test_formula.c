@@ -241,6 +241,22 @@ static void every_term_is_total(void **state)
 }
 
 /* What is made to exhaust stack, memory or time. */
+/* What a message says of another language's name is said of no name of ours. */
+static void foreign_names_are_not_ours(void **state)
+{
+    static const char *const names[] = {
+#define FOREIGN(name, here) #name,
+#include "grammar/foreign.def"
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const size_t size = strlen(names[i]);
+        if (term_named(names[i], size) != TERM_none || vector_named(names[i], size) ||
+            quantity_named(names[i], size) != QUANTITY_none || formula_special_named(names[i], size) != SPECIAL_none)
+            fail_msg("'%s' is foreign, and ours", names[i]);
+    }
+}
+
 static void hostile_texts_end(void **state)
 {
     (void)state;
@@ -301,6 +317,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(examples_are_as_they_say), cmocka_unit_test(operators_bind_as_in_mathematics),
         cmocka_unit_test(faults_are_told),          cmocka_unit_test(every_term_is_total),
+        cmocka_unit_test(foreign_names_are_not_ours),
         cmocka_unit_test(hostile_texts_end),        cmocka_unit_test(long_formulas_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -82,9 +82,11 @@ static int find_name(Check *c, FormulaStep *step)
                         formula_special_named(name, size) != SPECIAL_none;
     if (input == FORMULA_UNKNOWN && called)
         diag_add(c->session, span_of(c, step), DIAG_formula_is_function, name, name);
-    else if (input == FORMULA_UNKNOWN)
-        diag_add(c->session, span_of(c, step), DIAG_formula_unknown, name,
-                 diag_suggest(c->session, name, value_name, c->s, QUANTITY_COUNT + c->s->names.count));
+    else if (input == FORMULA_UNKNOWN) {
+        const char *hint = formula_foreign(c->session, name);
+        hint = hint ? hint : diag_suggest(c->session, name, value_name, c->s, QUANTITY_COUNT + c->s->names.count);
+        diag_add(c->session, span_of(c, step), DIAG_formula_unknown, name, hint);
+    }
     return fail(c);
 }
 

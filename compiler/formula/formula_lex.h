@@ -40,4 +40,6 @@ static inline bool formula_token_is(const FormulaSource *source, const Token *to
 }
 /* For messages: 'sin', or the end of the formula. */
 const char *formula_token_text(const FormulaSource *source, Token token);
+/* "; here it is mix(a, b, share)": of a name that nothing has. NULL: it is not known from anywhere else. formula_foreign.c */
+const char *formula_foreign(Session *session, const char *name);
 #endif

@@ -22,10 +22,11 @@ static void open_call(FormulaReader *r, Token name)
         wait.kind = WAIT_list;
         wait.row = width;
     } else if (term == TERM_none) {
-        const char *called = formula_word(r, name);
+        const char *called = formula_word(r, name), *hint = formula_foreign(r->session, called);
         r->faults++;
-        diag_add(r->session, formula_span(r, name.start, name.end), DIAG_formula_no_function, called,
-                 diag_suggest(r->session, called, function_name, NULL, TERM_COUNT + vector_count + SPECIAL_COUNT));
+        hint = hint ? hint
+                    : diag_suggest(r->session, called, function_name, NULL, TERM_COUNT + vector_count + SPECIAL_COUNT);
+        diag_add(r->session, formula_span(r, name.start, name.end), DIAG_formula_no_function, called, hint);
     }
     formula_wait(r, wait);
 }
@@ -54,9 +55,9 @@ static void push_color(FormulaReader *r)
 
 void formula_say_other(FormulaReader *r)
 {
-    static const char *const meant[][2] = {{"×", "; * is the product"},  {"·", "; * is the product"},
-                                           {"÷", "; / is the quotient"}, {"−", "; - is the minus sign"},
-                                           {"π", "; it is written pi"},  {"$", "; names have no mark"},
+    static const char *const meant[][2] = {{"×", "; * is the product"},          {"·", "; * is the product"},
+                                           {"÷", "; / is the quotient"},         {"−", "; - is the minus sign"},
+                                           {"π", "; it is written pi"},          {"$", "; names have no mark"},
                                            {"\"", "; this quote is not closed"}, {"'", "; this quote is not closed"}};
     const char *hint = "";
     for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)

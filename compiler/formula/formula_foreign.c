@@ -1,0 +1,17 @@
+/* What authors of other languages write, and what it is here: names of foreign.def, and of colours. */
+#include "compiler/base/diag.h"
+#include "compiler/base/text.h"
+#include "compiler/formula/formula_lex.h"
+
+const char *formula_foreign(Session *session, const char *name)
+{
+    const char *here = diag_full(session) ? NULL : expression_foreign(name);
+    Text text = text_new(session->arena);
+    if (here)
+        text_format(&text, "; here it is %s", here);
+    for (int i = 0; !here && !diag_full(session) && i < color_count; i++)
+        if (!strcmp(color_table[i].name, name))
+            text_format(&text, "; in a formula the colour is #%02x%02x%02x", color_table[i].rgb[0],
+                        color_table[i].rgb[1], color_table[i].rgb[2]);
+    return text.size ? text.at : NULL;
+}
