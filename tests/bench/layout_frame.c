@@ -38,6 +38,7 @@ static double least_draw(GlContext *gl, const Screen *screen)
 /* The sum of all slots. */
 static void reader_text(const LayoutRow *layout, char *text)
 {
+    static const char *const swizzle[] = {".w", ".xy", ".xyz"};
     int size = snprintf(text, TEXT_ROOM,
                         "layout(location = 0) out vec4 color;\nvoid main() {\n"
                         "    Surface s = unpackSurface(ivec2(gl_FragCoord.xy));\n"
@@ -45,7 +46,7 @@ static void reader_text(const LayoutRow *layout, char *text)
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(layout, (Slot)slot))
             size += snprintf(text + size, (size_t)(TEXT_ROOM - size), "    color%s += s.%s;\n",
-                             type_table[slot_table[slot].type].lanes == 3 ? ".xyz" : ".w", slot_table[slot].name);
+                             swizzle[type_table[slot_table[slot].type].lanes - 1], slot_table[slot].name);
     snprintf(text + size, (size_t)(TEXT_ROOM - size), "}\n");
 }
 
