@@ -57,14 +57,21 @@ static Ref twice_the_angle(Ir *ir, Ref x, Ref y)
     return build_select(ir, none, build_vec(ir, TYPE_vec2, build_float(ir, 1), build_float(ir, 0)), build_vec(ir, TYPE_vec2, cosine, sine));
 }
 
+/* Of length 1; nothing stays nothing, and has no angle. */
+static Ref unit_or_nothing(Ir *ir, Ref vector)
+{
+    Ref size = build_max(ir, build_length(ir, vector), build_float(ir, 1e-15));
+    return build_mul(ir, vector, build_splat(ir, build_div(ir, build_float(ir, 1), size), TYPE_vec3));
+}
+
 /* Of a vector of the world, whose angle counts from dP/du toward dP/dv. With n = dP/du x dP/dv the vector n x dP/du stands at right angles to dP/du,
  * and is |n| times as long. */
 static Ref tangent_turn(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref toward = build_call(ir, FN_safeNormalize, color(l, m, P_Principled_tangent, env));
-    Ref du = build_call(ir, FN_safeNormalize, lower_ask(l, NULL, GROUP_DU, env));
-    Ref dv = build_call(ir, FN_safeNormalize, lower_ask(l, NULL, GROUP_DV, env));
+    Ref toward = unit_or_nothing(ir, color(l, m, P_Principled_tangent, env));
+    Ref du = unit_or_nothing(ir, lower_ask(l, NULL, GROUP_DU, env));
+    Ref dv = unit_or_nothing(ir, lower_ask(l, NULL, GROUP_DV, env));
     Ref up = build_cross(ir, du, dv), beside = build_cross(ir, up, du);
     Ref along = build_mul(ir, build_dot(ir, toward, du), build_length(ir, up));
     return twice_the_angle(ir, along, build_dot(ir, toward, beside));

@@ -23,10 +23,10 @@ vec3 safeNormalize(vec3 v) {
 //   T = (1 - w n.x n.x, -w n.x n.y, -n.x), B = (-w n.x n.y, 1 - w n.y n.y, -n.y)
 // are at right angles to n and to each other, and change with it everywhere but at (0, 0, -1), where T is (1, 0, 0). Of what du is in their plane, p, the
 // angle is added twice: times p^2 / |p|^2 as complex numbers. Where dv lies to the right of it, seen against n, t counts the other way round.
-// A du along n has no angle, and adds 0. Error 1e-6 where du is no closer to n than 0.05 and n no closer to (0, 0, -1).
+// A du along n, or of no length, has no angle, and adds 0. Error 1e-6 where du is no closer to n than 0.05 and n no closer to (0, 0, -1).
 //   n = (0, 0, 1), du = (0, 2, 0), dv = (-1, 0, 0), own = (.5, 0): p = (0, 1), p^2 = (-1, 0), the result (-.5, 0)
 vec2 anisotropyStored(vec2 own, vec3 n, vec3 du, vec3 dv) {
-    vec3 u = safeNormalize(du), v = safeNormalize(dv);
+    vec3 u = du * inversesqrt(max(dot(du, du), 1.0e-30)), v = dv * inversesqrt(max(dot(dv, dv), 1.0e-30));
     float across = dot(n.xy, n.xy);
     float below = n.z < 0.0 ? across / (1.0 - n.z) : 1.0 + n.z; // 1 + n.z
     vec2 p = u.xy - n.xy * (dot(n.xy, u.xy) / max(below, 1.0e-12) + u.z);
@@ -71,18 +71,22 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // brushed.yaml:30 Expression
     vec2 expression_1 = uv - vec2(0.5);
-    vec3 anisotropy_1 = safeNormalize(vec3(expression_1.x, expression_1.y, 0.0));
-    vec3 anisotropy_2 = safeNormalize(worldTangentU);
-    vec3 anisotropy_3 = cross(anisotropy_2, safeNormalize(worldTangentV));
-    float anisotropy_4 = length(anisotropy_3) * dot(anisotropy_1, anisotropy_2);
-    float anisotropy_5 = dot(anisotropy_1, cross(anisotropy_3, anisotropy_2));
-    float anisotropy_6 = anisotropy_4 * anisotropy_4;
-    float anisotropy_7 = anisotropy_5 * anisotropy_5;
-    float anisotropy_8 = anisotropy_7 + anisotropy_6;
-    float anisotropy_9 = max(anisotropy_8, 1e-30);
-    vec2 anisotropy_10 = anisotropy_8 < 1e-30 ? vec2(1.0, 0.0) : vec2((anisotropy_6 - anisotropy_7) / anisotropy_9, anisotropy_5 * anisotropy_4 * 2.0 / anisotropy_9);
+    vec3 expression = vec3(expression_1.x, expression_1.y, 0.0);
+    float anisotropy_1 = 1.0 / max(length(expression), 1e-15);
+    vec3 anisotropy_2 = vec3(anisotropy_1) * expression;
+    float anisotropy_3 = 1.0 / max(length(worldTangentU), 1e-15);
+    vec3 anisotropy_4 = vec3(anisotropy_3) * worldTangentU;
+    float anisotropy_5 = 1.0 / max(length(worldTangentV), 1e-15);
+    vec3 anisotropy_6 = cross(anisotropy_4, vec3(anisotropy_5) * worldTangentV);
+    float anisotropy_7 = length(anisotropy_6) * dot(anisotropy_2, anisotropy_4);
+    float anisotropy_8 = dot(anisotropy_2, cross(anisotropy_6, anisotropy_4));
+    float anisotropy_9 = anisotropy_7 * anisotropy_7;
+    float anisotropy_10 = anisotropy_8 * anisotropy_8;
+    float anisotropy_11 = anisotropy_10 + anisotropy_9;
+    float anisotropy_12 = max(anisotropy_11, 1e-30);
+    vec2 anisotropy_13 = anisotropy_11 < 1e-30 ? vec2(1.0, 0.0) : vec2((anisotropy_9 - anisotropy_10) / anisotropy_12, anisotropy_8 * anisotropy_7 * 2.0 / anisotropy_12);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    vec2 anisotropy_11 = anisotropyStored(anisotropy_10 * vec2(0.9), normal, eyeFromWorld(worldTangentU), eyeFromWorld(worldTangentV));
-    uint surface_bits = unormBits((anisotropy_11.x + 1.0) * 0.5, 7) | unormBits((anisotropy_11.y + 1.0) * 0.5, 7) << 7;
+    vec2 anisotropy_14 = anisotropyStored(anisotropy_13 * vec2(0.9), normal, eyeFromWorld(worldTangentU), eyeFromWorld(worldTangentV));
+    uint surface_bits = unormBits((anisotropy_14.x + 1.0) * 0.5, 7) | unormBits((anisotropy_14.y + 1.0) * 0.5, 7) << 7;
     fragment0 = uvec4(4227858468u, octahedralBits(normal, 12) | 1493172224u, 432197075u, surface_bits | 2684338176u);
 }

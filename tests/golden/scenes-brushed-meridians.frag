@@ -22,10 +22,10 @@ vec3 safeNormalize(vec3 v) {
 //   T = (1 - w n.x n.x, -w n.x n.y, -n.x), B = (-w n.x n.y, 1 - w n.y n.y, -n.y)
 // are at right angles to n and to each other, and change with it everywhere but at (0, 0, -1), where T is (1, 0, 0). Of what du is in their plane, p, the
 // angle is added twice: times p^2 / |p|^2 as complex numbers. Where dv lies to the right of it, seen against n, t counts the other way round.
-// A du along n has no angle, and adds 0. Error 1e-6 where du is no closer to n than 0.05 and n no closer to (0, 0, -1).
+// A du along n, or of no length, has no angle, and adds 0. Error 1e-6 where du is no closer to n than 0.05 and n no closer to (0, 0, -1).
 //   n = (0, 0, 1), du = (0, 2, 0), dv = (-1, 0, 0), own = (.5, 0): p = (0, 1), p^2 = (-1, 0), the result (-.5, 0)
 vec2 anisotropyStored(vec2 own, vec3 n, vec3 du, vec3 dv) {
-    vec3 u = safeNormalize(du), v = safeNormalize(dv);
+    vec3 u = du * inversesqrt(max(dot(du, du), 1.0e-30)), v = dv * inversesqrt(max(dot(dv, dv), 1.0e-30));
     float across = dot(n.xy, n.xy);
     float below = n.z < 0.0 ? across / (1.0 - n.z) : 1.0 + n.z; // 1 + n.z
     vec2 p = u.xy - n.xy * (dot(n.xy, u.xy) / max(below, 1.0e-12) + u.z);
