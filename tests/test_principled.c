@@ -5,10 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/draw/screen_pass.h"
 #include "runtime/surface/surface_model.h"
 #include "compiler/matc.h"
 #include "tests/frame/frame_draw.h"
+#include "tests/frame/pass_values.h"
 #include "tests/lobe_claims.h"
 #include <math.h>
 #include <stdio.h>
@@ -84,20 +84,8 @@ static const char areas[] =
 
 static void run_texts(GlContext *gl, const char *const texts[6], float (*said)[4])
 {
-    Store *store = store_new(gl);
-    Screen screen;
-    ScreenPass pass;
-    Framebuffer target;
-    const FramebufferSpec spec = {.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA32F};
     const ScreenPassText text = {.body = {texts[0], texts[1], texts[2], texts[3], texts[4], texts[5]}, .format = "RGBA32F"};
-    if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !screen_pass_make(store, &text, &pass))
-        fail_msg("%s", gl->error);
-    screen_pass_run(&pass, &target, &screen);
-    assert_true(framebuffer_read(gl, &target, 0, said[0]));
-    screen_pass_delete(&pass);
-    framebuffer_delete(gl, &target);
-    screen_delete(gl, &screen);
-    store_free(store);
+    pass_values(gl, &text, SIDE, said);
 }
 
 static void run(GlContext *gl, const char *body, float (*said)[4])

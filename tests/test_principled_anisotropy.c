@@ -5,10 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/draw/screen_pass.h"
 #include "runtime/library/chunk.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
+#include "tests/frame/pass_values.h"
 #include "tests/lobe_claims.h"
 #include <math.h>
 #include <string.h>
@@ -113,24 +113,10 @@ static const char *chunk(const char *name)
 
 static void run(GlContext *gl, const char *body, float (*said)[4])
 {
-    Store *store = store_new(gl);
-    Screen screen;
-    ScreenPass pass;
-    Framebuffer target;
-    const FramebufferSpec spec = {.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA32F};
-    const ScreenPassText text = {.body = {head, chunk("safeNormalize"), chunk("anisotropyStored"),
-                                          surface_model_principled.text, surface_model_principled.more[0],
-                                          surface_model_principled.more[1], tools, body},
-                                 .format = "RGBA32F"};
-    if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) ||
-        !screen_pass_make(store, &text, &pass))
-        fail_msg("%s", gl->error);
-    screen_pass_run(&pass, &target, &screen);
-    assert_true(framebuffer_read(gl, &target, 0, said[0]));
-    screen_pass_delete(&pass);
-    framebuffer_delete(gl, &target);
-    screen_delete(gl, &screen);
-    store_free(store);
+    const SurfaceModel *model = &surface_model_principled;
+    const ScreenPassText text = {
+        .body = {head, chunk("anisotropyStored"), model->text, model->more[0], model->more[1], tools, body}, .format = "RGBA32F"};
+    pass_values(gl, &text, SIDE, said);
 }
 
 /* What a pixel is, in double. */

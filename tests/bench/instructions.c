@@ -154,7 +154,7 @@ static int formula_ours(const Formula *formula)
     return count_document(formula->name, text, (size_t)size);
 }
 
-/* Its GLSL in the place of the mark. */
+/* The row's GLSL stands where the frame has its mark. */
 static int formula_by_hand(const Formula *formula)
 {
     static const char mark[] = "// FORMULA";
