@@ -21,7 +21,7 @@ install(TARGETS matc_render_shared EXPORT matc-render INCLUDES DESTINATION ${CMA
 install(EXPORT matc-render NAMESPACE matc:: DESTINATION ${package})
 install(FILES runtime/render/matc_render.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # What lights a Surface that the unpacking text gives: docs/layouts.md
-install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_facets.glsl runtime/surface/surface_principled.glsl
+install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_facets.glsl runtime/surface/surface_principled.glsl runtime/surface/surface_principled_light.glsl
   runtime/surface/surface_anisotropic.glsl runtime/surface/surface_through.glsl
   DESTINATION ${CMAKE_INSTALL_DATADIR}/matc/surface)
 

@@ -2,6 +2,6 @@
 #include "lobe_table.h"
 
 const LobeRow lobe_table[LOBE_COUNT] = {
-#define LOBE(name, doc) {#name, SLOT_##name, P_Principled_##name, doc},
+#define LOBE(slot, param, doc) {#slot, SLOT_##slot, P_Principled_##param, doc},
 #include "slots.def"
 };

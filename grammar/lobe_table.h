@@ -5,14 +5,14 @@
 
 /* Parts of Principled that most surfaces lack. */
 typedef enum {
-#define LOBE(name, doc) LOBE_##name,
+#define LOBE(slot, param, doc) LOBE_##slot,
 #include "slots.def"
     LOBE_COUNT
 } Lobe;
 typedef struct {
     const char *name;
-    Slot slot; /* its weight */
-    int param; /* of Principled */
+    Slot slot;
+    int param; /* of Principled: its weight */
     const char *doc;
 } LobeRow;
 extern const LobeRow lobe_table[LOBE_COUNT];

@@ -98,6 +98,17 @@ bool param_is_unstored(int param)
     }
 }
 
+const char *param_parted(int param, int *weight)
+{
+    switch (param) {
+#define PARTED(kind, name, by, what) case P_##kind##_##name: *weight = P_##kind##_##by; return what;
+#include "materials.def"
+#include "maps.def"
+    default:
+        return NULL;
+    }
+}
+
 /* Runs of parameters: an enumerator that jumps back one before each kind's first parameter. */
 enum {
 #define MATERIAL(name, sort, doc)                 FIRST_##name, RESET_##name = FIRST_##name - 1,

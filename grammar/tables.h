@@ -132,6 +132,8 @@ extern const ParamRow param_table[PARAM_COUNT];
 bool param_is_colored(int param);
 /* Whether no slot holds what this parameter says, by the UNSTORED lines of materials.def. */
 bool param_is_unstored(int param);
+/* What becomes of it where a weight is not 0, by the PARTED lines; NULL: no such line. */
+const char *param_parted(int param, int *weight);
 static inline bool param_is_word(const ParamRow *row) { return row->type > PARAM_Items; }
 
 typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;

@@ -3,6 +3,8 @@
 #define MATC_LOBE_CLAIMS_H
 #include <math.h>
 
+#define LOBE_PI 3.14159265358979323846
+
 /* GLSL: a facet of GGX that is seen from v (Heitz 2018), by two numbers in [0, 1). */
 #define LOBE_FACET                                                                                                     \
     "vec3 facet(vec3 v, float a, vec2 u) {\n"                                                                          \
@@ -11,6 +13,44 @@
     "    y = mix(sqrt(max(1.0 - x * x, 0.0)), y, k);\n"                                                                \
     "    vec3 n = x * t + y * s + sqrt(max(1.0 - x * x - y * y, 0.0)) * w;\n"                                          \
     "    return normalize(vec3(a * n.xy, max(n.z, 1e-6)));\n}\n"
+
+/* Albedos of GGX with Smith's masking by height, by visible facets: 1 - E, and what Schlick's (1 - cosine)^5 has of E. */
+static inline void lobe_albedo(double cosine, double alpha, double found[2])
+{
+    enum { RINGS = 96, TURNS = 64 };
+    const double vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine), wx = alpha * vx / size, wz = cosine / size;
+    const double eye = sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine);
+    double all = 0, fresnel = 0;
+    for (int i = 0; i < RINGS * TURNS; i++) {
+        const double r = sqrt((i / TURNS + .5) / RINGS), turn = 2 * LOBE_PI * (i % TURNS + .5) / TURNS, t = r * cos(turn), k = .5 + .5 * wz;
+        const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(turn), up = sqrt(fmax(1 - t * t - s * s, 0));
+        double h[3] = {alpha * (s * -wz + up * wx), alpha * t, fmax(s * wx + up * wz, 0)};
+        const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]), facing = (vx * h[0] + cosine * h[2]) / length;
+        const double l = 2 * facing * h[2] / length - cosine;
+        if (l <= 0 || facing <= 0)
+            continue;
+        const double light = sqrt(alpha * alpha + (1 - alpha * alpha) * l * l);
+        const double share = l * (cosine + eye) / (cosine * light + l * eye); /* G2 over what is visible */
+        all += share;
+        fresnel += share * pow(1 - facing, 5);
+    }
+    found[0] = 1 - all / (RINGS * TURNS);
+    found[1] = fresnel / (RINGS * TURNS);
+}
+
+/* Means over all directions, 2 cosine d cosine. */
+static inline void lobe_mean(double alpha, double found[2])
+{
+    enum { STEPS = 24 };
+    found[0] = found[1] = 0;
+    for (int i = 0; i < STEPS; i++) {
+        const double t = (i + .5) / STEPS;
+        double one[2];
+        lobe_albedo(t * t, alpha, one);
+        for (int k = 0; k < 2; k++)
+            found[k] += one[k] * 4 * t * t * t / STEPS;
+    }
+}
 
 /* Three lanes of a pixel are by how much both ways differ, of their sum. */
 static inline void lobe_changes_places(float (*said)[4], int count)

@@ -148,6 +148,7 @@ static void slots_are_shown(void **state)
         {"fuzzColor", "{ material: Principled, fuzz: 1, fuzzColor: [0.5, 0.2, 0] }", {187.5, 123.6, 0}},
         {"fuzzRoughness", "{ material: Principled, fuzz: 1, fuzzRoughness: 0.75 }", {191.25, 191.25, 191.25}},
         {"anisotropy", "{ material: Principled, anisotropy: 0.5 }", {191.25, 127.5, 127.5}}, /* along the horizon, where the eye's x is */
+        {"transmission", "{ material: Principled, transmission: 0.75 }", {191.25, 191.25, 191.25}},
         {"model", "{ material: Principled }", {255, 255, 255}},
         {"model", "{}", {0, 0, 0}},
     };

@@ -82,58 +82,20 @@ static const char areas[] =
     "    AreaSide other = areaPowers(n, vec3(0.0), vec3(0.5 * exponent + 1.0), reflect(-v, n), reflect(-v, n), exponent);\n"
     "    return vec4(areaOfSide(light, side).x, areaOfSide(light, other).x, 0.0, 1.0); }\n";
 
-static void run_texts(GlContext *gl, const char *const texts[6], float (*said)[4])
+static void run_texts(GlContext *gl, const char *const texts[7], float (*said)[4])
 {
-    const ScreenPassText text = {.body = {texts[0], texts[1], texts[2], texts[3], texts[4], texts[5]}, .format = "RGBA32F"};
+    const ScreenPassText text = {.body = {texts[0], texts[1], texts[2], texts[3], texts[4], texts[5], texts[6]}, .format = "RGBA32F"};
     pass_values(gl, &text, SIDE, said);
 }
 
 static void run(GlContext *gl, const char *body, float (*said)[4])
 {
-    run_texts(gl, (const char *const[]){head, surface_model_principled.text, surface_model_principled.more[0], surface_model_principled.more[1], tools, body}, said);
+    run_texts(gl, (const char *const[]){head, surface_model_principled.text, surface_model_principled.more[0], surface_model_principled.more[1], surface_model_principled.more[2], tools, body}, said);
 }
 
 static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
 static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
 static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
-
-/* Albedos of GGX with Smith's masking by height, by visible facets: 1 - E, and what Schlick's (1 - cosine)^5 has of E. */
-static void integrate(double cosine, double alpha, double found[2])
-{
-    enum { RINGS = 96, TURNS = 64 };
-    const double vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine), wx = alpha * vx / size, wz = cosine / size;
-    const double eye = sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine);
-    double all = 0, fresnel = 0;
-    for (int i = 0; i < RINGS * TURNS; i++) {
-        const double r = sqrt((i / TURNS + .5) / RINGS), turn = 2 * PI * (i % TURNS + .5) / TURNS, t = r * cos(turn), k = .5 + .5 * wz;
-        const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(turn), up = sqrt(fmax(1 - t * t - s * s, 0));
-        double h[3] = {alpha * (s * -wz + up * wx), alpha * t, fmax(s * wx + up * wz, 0)};
-        const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]), facing = (vx * h[0] + cosine * h[2]) / length;
-        const double l = 2 * facing * h[2] / length - cosine;
-        if (l <= 0 || facing <= 0)
-            continue;
-        const double light = sqrt(alpha * alpha + (1 - alpha * alpha) * l * l);
-        const double share = l * (cosine + eye) / (cosine * light + l * eye); /* G2 over what is visible */
-        all += share;
-        fresnel += share * pow(1 - facing, 5);
-    }
-    found[0] = 1 - all / (RINGS * TURNS);
-    found[1] = fresnel / (RINGS * TURNS);
-}
-
-/* Means over all directions, 2 cosine d cosine. */
-static void mean_of(double alpha, double found[2])
-{
-    enum { STEPS = 24 };
-    found[0] = found[1] = 0;
-    for (int i = 0; i < STEPS; i++) {
-        const double t = (i + .5) / STEPS;
-        double one[2];
-        integrate(t * t, alpha, one);
-        for (int k = 0; k < 2; k++)
-            found[k] += one[k] * 4 * t * t * t / STEPS;
-    }
-}
 
 static void albedos_are_fitted(void **state)
 {
@@ -144,7 +106,7 @@ static void albedos_are_fitted(void **state)
     run(gl, fits, said);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double want[2];
-        integrate(cosine_of(i % SIDE), pow(rough_of(i / SIDE), 2), want);
+        lobe_albedo(cosine_of(i % SIDE), pow(rough_of(i / SIDE), 2), want);
         for (int k = 0; k < 2; k++)
             worst[k] = fmax(worst[k], fabs(said[i][k] - want[k]));
     }
@@ -167,9 +129,9 @@ static double lobe_of(const Case *c, double cosine, double l, double turn)
     const double lambda_v = (sqrt(1 + a * a * (1 / (cosine * cosine) - 1)) - 1) / 2, lambda_l = (sqrt(1 + a * a * (1 / (l * l) - 1)) - 1) / 2;
     const double once = PI * d / (1 + lambda_v + lambda_l) / (4 * cosine);
     double v[2], w[2], m[2];
-    integrate(cosine, a, v);
-    integrate(l, a, w);
-    mean_of(a, m);
+    lobe_albedo(cosine, a, v);
+    lobe_albedo(l, a, w);
+    lobe_mean(a, m);
     const double again = l * v[0] * w[0] / m[0], f0 = c->reflectance, mean_f = f0 + (1 - f0) / 21;
     const double ms = mean_f * mean_f * (1 - m[0]) / (1 - mean_f * m[0]);
     const double es_v = f0 * (1 - v[0] - v[1]) + v[1] + v[0] * ms, es_l = f0 * (1 - w[0] - w[1]) + w[1] + w[0] * ms;
@@ -271,7 +233,7 @@ static void parallelograms_are_integrals(void **state)
     static float said[SIDE * SIDE][4];
     double worst[2] = {0}, squares[2] = {0};
     GlContext *gl = frame_context();
-    run_texts(gl, (const char *const[]){head, render_text_light_area, surface_model_principled.text, tools, areas, NULL}, said);
+    run_texts(gl, (const char *const[]){head, render_text_light_area, surface_model_principled.text, tools, areas, NULL, NULL}, said);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i++) {
         const double want = share_of_area(i);
@@ -294,7 +256,7 @@ static void stands_behind_unpacking(void **state)
     static const char text[] = "material: Principled\nbaseColor: 1\n";
     static const char body[] = "vec4 passPixel(ivec2 p) { Surface s = unpackTexels(TEXELS); s.normal = vec3(0.0, 0.0, 1.0); s.diffuse = s.specular = vec3(1.0); "
                                "s.metalness = 0.0; s.roughness = 1.0; s.reflectance = 0.04; s.emissive = vec3(0.0);\n"
-                               "#ifdef SURFACE_HAS_coat\n    s.coatTint = vec3(1.0); s.transparency = vec3(0.0); s.coat = s.fuzz = 0.0;\n#endif\n#ifdef SURFACE_HAS_anisotropy\n    s.anisotropy = vec2(0.0);\n#endif\n    return vec4(surfaceAmbient(surfaceLit(s, vec3(0.0, 0.0, 1.0)), vec3(1.0)) + surfaceOwn(surfaceLit(s, vec3(0.0, 0.0, 1.0))), 1.0); }\n";
+                               "#ifdef SURFACE_HAS_coat\n    s.coatTint = vec3(1.0); s.transparency = vec3(0.0); s.coat = s.fuzz = 0.0; s.transmission = 0.0; s.diffuseTransparency = vec3(0.0);\n#endif\n#ifdef SURFACE_HAS_anisotropy\n    s.anisotropy = vec2(0.0);\n#endif\n    return vec4(surfaceAmbient(surfaceLit(s, vec3(0.0, 0.0, 1.0)), vec3(1.0)) + surfaceOwn(surfaceLit(s, vec3(0.0, 0.0, 1.0))), 1.0); }\n";
     for (int i = 0; i < 3; i++) {
         MatcOptions options;
         matc_options_init(&options);
@@ -305,7 +267,7 @@ static void stands_behind_unpacking(void **state)
         assert_true(matc_ok(program));
         GlContext *gl = frame_context();
         const char *const texts[] = {matc_output(program, MATC_UNPACK, NULL), i == 1 ? "#define TEXELS uvec4(0u), uvec4(0u), uvec4(0u)\n" : "#define TEXELS uvec4(0u)\n"};
-        run_texts(gl, (const char *const[]){texts[0], surface_model_principled.text, surface_model_principled.more[0], surface_model_principled.more[1], texts[1], body}, said);
+        run_texts(gl, (const char *const[]){texts[0], surface_model_principled.text, surface_model_principled.more[0], surface_model_principled.more[1], surface_model_principled.more[2], texts[1], body}, said);
         gl_close(gl);
         matc_program_free(program);
         matc_document_free(document);

@@ -115,7 +115,7 @@ static void run(GlContext *gl, const char *body, float (*said)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
     const ScreenPassText text = {
-        .body = {head, chunk("anisotropyStored"), model->text, model->more[0], model->more[1], tools, body}, .format = "RGBA32F"};
+        .body = {head, chunk("anisotropyStored"), model->text, model->more[0], model->more[1], model->more[2], tools, body}, .format = "RGBA32F"};
     pass_values(gl, &text, SIDE, said);
 }
 

@@ -13,7 +13,7 @@
 #define LIT                                                                                                            \
     "struct Lit { vec3 normal, color; };\n"                                                                            \
     "Lit surfaceLit(Surface s, vec3 toEye) { return Lit(s.normal, s.diffuse); }\n"                                     \
-    "vec3 surfaceThrough(Surface s) { return s.transparency; }\n"
+    "vec3 surfaceThrough(Surface s, vec3 toEye) { return s.transparency; }\n"
 
 static const SurfaceModel lambert = {
     "Lambert",

@@ -299,14 +299,6 @@ static void doubt_back(const Doubts *d, const Node *node)
         diag_add(d->session, height->span, DIAG_back_displacement);
 }
 
-static void doubt_unstored(const Doubts *d, const Node *node)
-{
-    const KindRow *row = &kind_table[node->kind];
-    for (int i = 0; i < row->count; i++)
-        if (param_is_unstored(row->first + i) && !value_is_zero(&node->params[i]))
-            diag_add(d->session, node->params[i].span, DIAG_unstored, node_written_param(node, i), node_written_name(node));
-}
-
 /* A part of a Phong that the Principled which a Layer makes of it has no slot for. */
 static void doubt_layered(const Doubts *d, const Node *base)
 {
@@ -374,7 +366,7 @@ static void say(Doubts *d, const Node *node)
 {
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
-        doubt_components(d, node), doubt_mixed(d, node), doubt_unstored(d, node), doubt_fuzz(d, node),
+        doubt_components(d, node), doubt_mixed(d, node), doubt_lost(d->session, node), doubt_fuzz(d, node),
             doubt_volume(d, node);
     if (node->kind == KIND_SideSwitch)
         doubt_back(d, node);

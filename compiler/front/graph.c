@@ -56,12 +56,13 @@ bool value_is_zero(const Value *value)
     return value->kind == VALUE_number || value->kind == VALUE_none;
 }
 
-/* The parts of a Principled that are not known to be nothing. */
+/* The parts of a Principled that are not known to be nothing; light that is scattered below the surface goes through thin walls alone. */
 static unsigned lobes_of(const Node *principled)
 {
+    const bool thin = !value_is_zero(node_param(principled, P_Principled_thinWalled));
     unsigned lobes = 0;
     for (int lobe = 0; lobe < LOBE_COUNT; lobe++)
-        lobes |= value_is_zero(node_param(principled, lobe_table[lobe].param)) ? 0 : MODEL_LOBE(lobe);
+        lobes |= (lobe == LOBE_diffuseTransparency && !thin) || value_is_zero(node_param(principled, lobe_table[lobe].param)) ? 0 : MODEL_LOBE(lobe);
     return lobes;
 }
 

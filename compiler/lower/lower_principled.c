@@ -13,12 +13,87 @@ static Ref red(Lower *l, const Node *m, int param, const Env *env)
     return build_swizzle(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), "x");
 }
 
-/* weight ((ior - 1) / (ior + 1))^2: Fresnel's formulas along the normal. Without a bound below, -1 would divide by 0. */
+/* Of what is divided by, which is 1 and more of what may be. */
+static const double LEAST_SUM = 1e-6;
+
+static Ref unit(Ir *ir, Ref x) { return build_clamp(ir, x, build_float(ir, 0), build_float(ir, 1)); }
+
+static Ref share(Lower *l, const Node *m, int param, const Env *env) { return unit(l->ir, red(l, m, param, env)); }
+
+static bool is_thin(const Node *m) { return !value_is_zero(node_param(m, P_Principled_thinWalled)); }
+
+/* weight ((ior - 1) / (ior + 1))^2: Fresnel's formulas along the normal. Without a bound below, -1 would divide by 0. Thin walls that
+ * let light through reflect it on both sides, again and again: R + (1 - R)^2 R / (1 - R^2) = 2 R / (1 + R). */
 static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
     Ref ior = build_max(ir, red(l, m, P_Principled_ior, env), build_float(ir, 0));
-    return build_mul(ir, lower_coated_reflectance(l, coat, ior, env), red(l, m, P_Principled_specular, env));
+    Ref once = build_mul(ir, lower_coated_reflectance(l, coat, ior, env), red(l, m, P_Principled_specular, env));
+    Ref clear = share(l, m, P_Principled_transmission, env);
+    if (!is_thin(m) || ir_is_number(ir, clear, 0))
+        return once;
+    Ref both = build_div(ir, build_scale(ir, once, 2), build_max(ir, build_add(ir, build_float(ir, 1), once), build_float(ir, LEAST_SUM)));
+    return build_mix(ir, once, both, clear);
+}
+
+/* Of light that is scattered within thin walls, what leaves on one side: toward 1 the other, toward -1 that where it came in. */
+static Ref scattered(Lower *l, const Node *m, double toward, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref all = color(l, m, P_Principled_subsurfaceColor, env), half = build_float(ir, .5);
+    if (!is_thin(m))
+        return all;
+    Ref on = build_clamp(ir, red(l, m, P_Principled_subsurfaceAnisotropy, env), build_float(ir, -1), build_float(ir, 1));
+    return build_mul(ir, all, build_add(ir, half, build_scale(ir, on, toward / 2)));
+}
+
+/* The diffuse base of the dielectric: what is left of it beside light that goes through, and is scattered below. */
+static Ref dielectric(Lower *l, const Node *m, Ref own, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref through = share(l, m, P_Principled_transmission, env), below = share(l, m, P_Principled_subsurface, env);
+    if (!ir_is_number(ir, below, 0))
+        own = build_mix(ir, own, scattered(l, m, -1, env), below);
+    return ir_is_number(ir, through, 0) ? own : build_mul(ir, own, build_sub(ir, build_float(ir, 1), through));
+}
+
+static Ref not_metal(Lower *l, const Node *m, const Env *env)
+{
+    return build_sub(l->ir, build_float(l->ir, 1), share(l, m, P_Principled_metalness, env));
+}
+
+/* What goes straight through where the surface is, by lanes: of a body each of its two surfaces takes the root of the colour. */
+static Ref through(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref tint = build_clamp(ir, color(l, m, P_Principled_transmissionColor, env), build_all(ir, TYPE_vec3, 0), build_all(ir, TYPE_vec3, 1));
+    Ref weight = build_mul(ir, share(l, m, P_Principled_transmission, env), not_metal(l, m, env));
+    return build_mul(ir, is_thin(m) ? tint : build_sqrt(ir, tint), weight);
+}
+
+static Ref transparency(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref opacity = red(l, m, P_Principled_opacity, env), one = build_float(ir, 1);
+    const bool holes = ir_is_number(ir, share(l, m, P_Principled_transmission, env), 0);
+    if (holes)
+        return slot == SLOT_transmission ? build_float(ir, 0) : build_convert(ir, build_sub(ir, one, opacity), TYPE_vec3);
+    Ref lanes = through(l, m, env);
+    if (slot == SLOT_transparency)
+        return build_sub(ir, build_all(ir, TYPE_vec3, 1), build_mul(ir, opacity, build_sub(ir, build_all(ir, TYPE_vec3, 1), lanes)));
+    Ref most = build_max(ir, build_max(ir, build_lane(ir, lanes, 0), build_lane(ir, lanes, 1)), build_lane(ir, lanes, 2));
+    return build_mul(ir, opacity, most);
+}
+
+/* Light that is scattered below the surface leaves where it came in, but for thin walls. */
+static Ref to_other_side(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref below = share(l, m, P_Principled_subsurface, env), clear = share(l, m, P_Principled_transmission, env);
+    if (!is_thin(m) || ir_is_number(ir, below, 0))
+        return build_all(ir, TYPE_vec3, 0);
+    Ref weight = build_mul(ir, build_mul(ir, below, build_sub(ir, build_float(ir, 1), clear)), not_metal(l, m, env));
+    return build_mul(ir, scattered(l, m, 1, env), weight);
 }
 
 /* Of metal, `specular` is a factor on all that it reflects. */
@@ -26,6 +101,11 @@ static Ref base(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
     Ref own = build_mul(ir, color(l, m, P_Principled_baseColor, env), red(l, m, P_Principled_baseWeight, env));
+    Ref matt = dielectric(l, m, own, env);
+    if (matt != own) {
+        Ref metal = build_mul(ir, own, red(l, m, P_Principled_specular, env));
+        return build_mix(ir, matt, metal, red(l, m, P_Principled_metalness, env));
+    }
     Ref weight = red(l, m, P_Principled_specular, env), one = build_float(ir, 1);
     Ref less = build_mul(ir, red(l, m, P_Principled_metalness, env), build_sub(ir, weight, one));
     return build_mul(ir, own, build_add(ir, one, less));
@@ -124,7 +204,10 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
     case SLOT_specular:
         return color(l, m, P_Principled_specularColor, env);
     case SLOT_transparency:
-        return build_convert(ir, build_sub(ir, build_float(ir, 1), red(l, m, P_Principled_opacity, env)), TYPE_vec3);
+    case SLOT_transmission:
+        return transparency(l, m, slot, env);
+    case SLOT_diffuseTransparency:
+        return to_other_side(l, m, env);
     case SLOT_emissive:
         return lower_coated_emission(l, &coat, emission(l, m, env), env);
     case SLOT_ior:

@@ -76,6 +76,39 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
     result->lane[SLOT_anisotropy][1] = strength * sin(turn);
 }
 
+/* What goes through a dielectric, or is scattered below its surface: of a body the colour counts once for its two surfaces, and what is scattered leaves
+ * where it came in. The diffuse slot is b (1 - metal + metal weight) before. */
+static void let_through(Environment *environment, const Node *material, SlotValues *result)
+{
+    const double clear = unit(ask_red(environment, material, P_Principled_transmission)), metal = result->lane[SLOT_metalness][0];
+    const double below = unit(ask_red(environment, material, P_Principled_subsurface)), opacity = result->lane[SLOT_alpha][0];
+    const double on = fmin(fmax(ask_red(environment, material, P_Principled_subsurfaceAnisotropy), -1), 1);
+    const double weight = ask_red(environment, material, P_Principled_specular), base_weight = ask_red(environment, material, P_Principled_baseWeight);
+    const bool thin = oracle_number(material, P_Principled_thinWalled) != 0;
+    double tint[3], scattered[3], base[3], most = 0;
+    if (!(clear > 0) && !(below > 0))
+        return;
+    oracle_ask_colour(environment, material, P_Principled_transmissionColor, tint);
+    oracle_ask_colour(environment, material, P_Principled_subsurfaceColor, scattered);
+    oracle_ask_colour(environment, material, P_Principled_baseColor, base);
+    for (int i = 0; i < 3; i++) {
+        const double back = scattered[i] * (thin ? (1 - on) / 2 : 1), own = base[i] * base_weight;
+        const double through = clear * (1 - unit(metal)) * (thin ? unit(tint[i]) : sqrt(unit(tint[i])));
+        result->lane[SLOT_diffuse][i] = (1 - metal) * (1 - clear) * (own + below * (back - own)) + metal * own * weight;
+        result->lane[SLOT_diffuseTransparency][i] = thin ? below * (1 - clear) * (1 - unit(metal)) * scattered[i] * (1 + on) / 2 : 0;
+        result->lane[SLOT_transparency][i] = 1 - opacity * (1 - through);
+        most = fmax(most, through);
+    }
+    result->lane[SLOT_transmission][0] = opacity * most;
+}
+
+/* Both sides of thin walls that let light through reflect. */
+static double of_both_sides(Environment *environment, const Node *material, double once)
+{
+    const double clear = unit(ask_red(environment, material, P_Principled_transmission));
+    return oracle_number(material, P_Principled_thinWalled) == 0 ? once : once + clear * (2 * once / fmax(1 + once, LEAST) - once);
+}
+
 /* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the weight of that as a factor on its colour. */
 void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
 {
@@ -104,8 +137,10 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     result->lane[SLOT_reflectance][0] = weight * reflectance_of(ior);
     result->lane[SLOT_model][0] = MODEL_Principled;
     set_anisotropy(environment, material, result);
+    let_through(environment, material, result);
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, ior, weight, result);
+    result->lane[SLOT_reflectance][0] = of_both_sides(environment, material, result->lane[SLOT_reflectance][0]);
     const double fuzz = ask_red(environment, material, P_Principled_fuzz);
     if (!(fuzz > 0))
         return;

@@ -113,7 +113,7 @@ vec3 passOver(ivec2 pixel, out vec3 through)
 #ifndef VEIL
         sum += through * lightOf(pixel, uintBitsToFloat(lists_words[node + 1u]), surface);
 #endif
-        through *= surfaceThrough(surface);
+        through *= surfaceThrough(surface, lightToEye(pixel));
         number = lists_words[node];
     }
 #ifndef VEIL

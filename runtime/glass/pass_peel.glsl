@@ -9,7 +9,7 @@ vec3 passOver(ivec2 pixel, out vec3 through)
     through = vec3(1.0);
     if (depth == NOTHING) return vec3(0.0);
     Surface surface = unpackSurface(pixel);
-    through = surfaceThrough(surface);
+    through = surfaceThrough(surface, lightToEye(pixel));
 #ifdef VEIL
     return vec3(0.0);
 #else

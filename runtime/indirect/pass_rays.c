@@ -67,6 +67,7 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
                                           surface_model_more(of, 4),
                                           surface_model_more(of, 5),
                                           surface_model_more(of, 6),
+                                          surface_model_more(of, 7),
                                           defined,
                                           again ? "#define INDIRECT_AGAIN\n" : "",
                                           kept && is_alike(render) ? "#define ENTRY_APART 8\n" : "",

@@ -113,6 +113,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
                  surface_model_more(render->surface, 4),
                  surface_model_more(render->surface, 5),
                  surface_model_more(render->surface, 6),
+                 surface_model_more(render->surface, 7),
                  exact[0],
                  exact[1],
                  defined,

@@ -76,6 +76,12 @@ struct Seen {
     Lit m;
 };
 
+// The way to the eye, through that pixel.
+vec3 lightToEye(ivec2 pixel)
+{
+    return light_view.y > 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(vec3((light_ray.zw - vec2(2 * pixel + 1)) * light_ray.xy, 1.0));
+}
+
 // Of the surface whose depth is `depth`, which is greater than 0.
 Seen lightSeen(ivec2 pixel, float depth, Surface surface)
 {
@@ -89,8 +95,7 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
     exactFind(pixel, orthographic ? vec3(ray.xy, 0.0) : vec3(0.0), orthographic ? vec3(0.0, 0.0, -1.0) : ray, point,
               orthographic ? 0.0 : light_view.x);
 #endif
-    vec3 toEye = orthographic ? vec3(0.0, 0.0, 1.0) : -normalize(ray);
-    return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, toEye));
+    return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, lightToEye(pixel)));
 }
 
 // Where lists of shadows are in parts, this is one of several runs, which add up: all that reads no list is lit in the first.

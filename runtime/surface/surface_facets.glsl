@@ -6,6 +6,12 @@
 #if defined(SURFACE_HAS_fuzz) && !defined(SURFACE_LACKS_fuzz)
 #define LIT_FUZZ
 #endif
+#if defined(SURFACE_HAS_transmission) && !defined(SURFACE_LACKS_transmission)
+#define LIT_CLEAR
+#endif
+#if defined(SURFACE_HAS_diffuseTransparency) && !defined(SURFACE_LACKS_diffuseTransparency)
+#define LIT_BEHIND
+#endif
 #if defined(LIT_COAT) || defined(LIT_FUZZ)
 #define LIT_LAYERS
 #endif

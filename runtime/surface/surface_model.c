@@ -4,7 +4,7 @@
 #include "compiler/layout/layout.h"
 #include <stdio.h>
 
-extern const char render_text_surface_facets[], render_text_surface_anisotropic[], render_text_surface_phong[], render_text_surface_principled[], render_text_surface_both[],
+extern const char render_text_surface_facets[], render_text_surface_anisotropic[], render_text_surface_phong[], render_text_surface_principled[], render_text_surface_principled_light[], render_text_surface_both[],
     render_text_surface_through[];
 
 #define RENAMED(model)                                                                                                 \
@@ -22,11 +22,11 @@ extern const char render_text_surface_facets[], render_text_surface_anisotropic[
 const SurfaceModel surface_model_phong = {
     .name = "Phong", .text = render_text_surface_phong, .parts = true, .more = {render_text_surface_through}};
 const SurfaceModel surface_model_principled = {
-    .name = "Principled", .text = render_text_surface_facets, .more = {render_text_surface_anisotropic, render_text_surface_principled, render_text_surface_through}};
+    .name = "Principled", .text = render_text_surface_facets, .more = {render_text_surface_anisotropic, render_text_surface_principled, render_text_surface_principled_light, render_text_surface_through}};
 static const SurfaceModel both = {.name = "Phong and Principled",
                                   .text = render_text_surface_facets,
                                   .more = {render_text_surface_anisotropic, RENAMED("phong"), render_text_surface_phong, UNNAMED RENAMED("principled"),
-                                           render_text_surface_principled, render_text_surface_both,
+                                           render_text_surface_principled, render_text_surface_principled_light, render_text_surface_both,
                                            render_text_surface_through}};
 
 const SurfaceModel *surface_model_of(const LayoutRow *layout, unsigned models)

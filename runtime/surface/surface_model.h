@@ -9,7 +9,7 @@
  *     vec3 surfaceEven(Lit m)                        the share of light from the surfaces around it that it sends evenly; for indirect light
  *     Lit surfaceMatt(Lit m)                         the same without light that it does not send evenly; for indirect light
  *     vec3 surfaceLobe(Lit m, vec3 l)                the share of light from the direction l, the cosine counted in
- *     vec3 surfaceThrough(Surface s)                 the share of the light behind it that passes
+ *     vec3 surfaceThrough(Surface s, vec3 toEye)     the share of the light behind it that passes
  *     vec3 surfaceSky(Lit m)                         of the sky all around, by light_sky.glsl; under #ifdef LIGHT_HAS_SKY
  *     vec3 surfaceHemisphere(Lit m)                  of hemispheres, by light_hemisphere.glsl; under #ifdef LIGHT_HAS_HEMISPHERE
  *     vec3 surfaceArea(Lit m, Area light)            of a polygon of radiance 1, by light_area.glsl; under #ifdef LIGHT_HAS_AREAS
@@ -33,7 +33,7 @@
 #include "grammar/layout_tables.h"
 #include "grammar/lobe_table.h"
 
-enum { SURFACE_MODEL_MORE = 7, SURFACE_MODEL_DEFINITIONS = 40 * LOBE_COUNT + 1 };
+enum { SURFACE_MODEL_MORE = 8, SURFACE_MODEL_DEFINITIONS = 48 * LOBE_COUNT + 1 };
 typedef struct {
     const char *name;
     const char *text;

@@ -34,6 +34,9 @@ struct Lit {
     float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // the same
     Row fuzzSpread;
 #endif
+#ifdef LIT_BEHIND
+    vec3 behind, evenBehind; // what leaves on the other side, of what comes through the surface; that, of light from all around
+#endif
 #ifdef LIT_LAYERS
     vec3 metalBounce, dielectricBounce; // what the base reflects of light that layers send back to it
     vec2 strayOfEye, meanStray;         // below(), of metal and of the dielectric
@@ -70,22 +73,35 @@ float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - al
 
 float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatFacets), m.coatReflectance); }
 
-void litCoat(Surface s, inout Lit m)
+// The slots of the coat but its weight.
+struct Coat {
+    vec3 tint;
+    float rough, reflectance;
+};
+
+Coat coatOf(Surface s)
 {
-    m.coat = m.coatShine = clamp(s.coat, 0.0, 1.0);
-    m.coatTint = vec3(1.0);
-    m.coatReflectance = 0.0;
-    float rough = 0.0;
+    Coat coat = Coat(vec3(1.0), 0.0, 0.0);
 #ifdef SURFACE_HAS_coatTint
-    m.coatTint = clamp(s.coatTint, 0.0, 1.0);
+    coat.tint = clamp(s.coatTint, 0.0, 1.0);
 #endif
 #ifdef SURFACE_HAS_coatRoughness
-    rough = s.coatRoughness;
+    coat.rough = s.coatRoughness;
 #endif
 #ifdef SURFACE_HAS_coatReflectance
-    m.coatReflectance = clamp(s.coatReflectance, 0.0, 1.0);
+    coat.reflectance = clamp(s.coatReflectance, 0.0, 1.0);
 #endif
-    m.coatFacets = glossOf(clamp(rough, 0.0316227766, 1.0));
+    coat.rough = clamp(coat.rough, 0.0316227766, 1.0);
+    return coat;
+}
+
+void litCoat(Surface s, inout Lit m)
+{
+    Coat coat = coatOf(s);
+    m.coat = m.coatShine = clamp(s.coat, 0.0, 1.0);
+    m.coatTint = coat.tint;
+    m.coatReflectance = coat.reflectance;
+    m.coatFacets = glossOf(coat.rough);
     m.coatAlpha = m.coatFacets.alpha;
 #ifdef LIGHT_HAS_AREAS
     m.coatInto = areaFacets(m.coatFacets.rough, m.normal, m.toEye);
@@ -101,18 +117,24 @@ void litCoat(Surface s, inout Lit m)
 #endif
 
 #ifdef LIT_FUZZ
+// Narrower fibres of that lobe would send more than arrives.
+float fuzzRoughOf(Surface s)
+{
+#ifdef SURFACE_HAS_fuzzRoughness
+    return clamp(s.fuzzRoughness, 0.2, 1.0);
+#else
+    return 0.2;
+#endif
+}
+
 void litFuzz(Surface s, inout Lit m)
 {
     m.fuzz = clamp(s.fuzz, 0.0, 1.0);
     m.fuzzColor = vec3(0.0);
-    m.fuzzRough = 0.0;
 #ifdef SURFACE_HAS_fuzzColor
     m.fuzzColor = m.fuzz * clamp(s.fuzzColor, 0.0, 1.0);
 #endif
-#ifdef SURFACE_HAS_fuzzRoughness
-    m.fuzzRough = s.fuzzRoughness;
-#endif
-    m.fuzzRough = clamp(m.fuzzRough, 0.2, 1.0); // narrower fibres of that lobe would send more than arrives
+    m.fuzzRough = fuzzRoughOf(s);
     m.fuzzOfEye = fuzzThrough(m, m.cosine);
     m.fuzzMean = 0.0;
     m.fuzzSpread = fuzzSpread(m.facets.rough, m.fuzz / (0.8 + 1.05 * m.fuzzRough));
@@ -180,6 +202,19 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
 #endif
 }
 
+// The share of the surface that is not there. What is let through by a dielectric does not count.
+float holesOf(Surface s)
+{
+    float holes = 0.0;
+#ifdef SURFACE_HAS_transparency
+    holes = max(s.transparency.x, max(s.transparency.y, s.transparency.z));
+#ifdef LIT_CLEAR
+    holes -= s.transmission;
+#endif
+#endif
+    return clamp(holes, 0.0, 1.0);
+}
+
 Lit surfaceLit(Surface s, vec3 toEye)
 {
     Lit m;
@@ -212,7 +247,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.reflectance = clamp(s.reflectance, 0.0, 1.0);
 #endif
 #ifdef SURFACE_HAS_transparency
-    m.kept = 1.0 - clamp(max(s.transparency.x, max(s.transparency.y, s.transparency.z)), 0.0, 1.0);
+    m.kept = 1.0 - holesOf(s);
 #endif
     m.facets = glossOf(clamp(rough, 0.0316227766, 1.0)); // of floats: a narrower lobe would lie between them
 #ifdef LIT_ANISOTROPY
@@ -248,18 +283,28 @@ Lit surfaceLit(Surface s, vec3 toEye)
         m.dip * (m.cosine * rest3 * rest3 * (1.0 - eye.x));
     m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * m.base;
     m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
+#ifdef LIT_BEHIND
+    m.behind = clamp(s.diffuseTransparency, 0.0, 1.0);
+    m.evenBehind = m.kept * m.baseOfEye * m.behind;
+#endif
 #ifdef LIT_LAYERS
     vec4 layers = below(m, m.cosine, eye.x);
     m.metalBounce = m.metal * max(metal, 0.0);
     m.dielectricBounce = (1.0 - m.metal) * m.tint;
     m.strayOfEye = strayed(m, layers.w, eye);
     m.even *= layers.z;
+#ifdef LIT_BEHIND
+    m.evenBehind *= layers.z;
+#endif
     m.gloss *= layers.z;
     m.emissive *= layers.z;
     m.lossOfEye *= layers.z;
     m.baseOfEye *= layers.z;
 #ifdef LIT_COAT
     m.even *= m.coatTint;
+#ifdef LIT_BEHIND
+    m.evenBehind *= m.coatTint;
+#endif
     m.gloss *= m.coatTint;
     m.coatGloss *= layers.y;
 #endif
@@ -269,132 +314,3 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     return m;
 }
-
-vec3 surfaceOwn(Lit m) { return m.emissive; }
-
-// What it reflects of light from all around, the coat's share too.
-vec3 glossAround(Lit m)
-{
-#ifdef LIT_COAT
-    return m.gloss + m.coatGloss;
-#else
-    return m.gloss;
-#endif
-}
-
-vec3 surfaceAmbient(Lit m, vec3 ambient) { return (m.even + glossAround(m)) * ambient; }
-vec3 surfaceEven(Lit m) { return m.even; }
-
-// Without its tint nothing is reflected by the dielectric; metal reflects alone.
-Lit surfaceMatt(Lit m)
-{
-    m.base *= 1.0 - m.metal;
-    m.metal = 0.0;
-    m.tint = m.gloss = vec3(0.0);
-#ifdef LIT_LAYERS
-    m.metalBounce = m.dielectricBounce = vec3(0.0);
-#endif
-#ifdef LIT_COAT
-    m.coatShine = m.coatGloss = 0.0;
-#endif
-    return m;
-}
-
-vec3 surfaceLobe(Lit m, vec3 l)
-{
-    float cosine = dot(m.normal, l);
-    if (cosine <= 0.0) return vec3(0.0);
-    vec3 between = l + m.toEye;
-    vec3 h = between * inversesqrt(max(dot(between, between), 1e-12));
-    float facing = clamp(dot(h, l), 0.0, 1.0), rest = 1.0 - facing, rest5 = rest * rest * rest * rest * rest;
-#ifdef LIT_ANISOTROPY
-    float once = facetsAlong(m.anisotropy, m.normal, l, m.toEye, vec2(cosine, m.cosine));
-#else
-    float once = facets(m.alpha, m.normal, h, cosine, m.cosine);
-#endif
-    vec2 own = baseAlbedo(m, l, cosine);
-    float again = cosine * own.x * m.lossOfEye / m.meanLoss;
-    float matt = cosine * (1.0 - reflectedOf(own, m.reflectance, m.again)) * m.baseOfEye / m.meanBase;
-#ifdef LIT_LAYERS
-    vec4 layers = below(m, cosine, own.x);
-    vec2 even = evenOf(m.facets.rough, vec2(cosine, m.cosine)), stray = cosine * strayed(m, layers.w, own) * m.strayOfEye / m.meanStray;
-#ifdef LIT_COAT
-    once *= (1.0 - m.stray) * veil(layers.x, m.coatOfEye, m.coatMean, even);
-#endif
-#ifdef LIT_FUZZ
-    once *= veil(layers.y, m.fuzzOfEye, m.fuzzMean, even);
-#endif
-    matt *= layers.z;
-    again *= layers.z;
-#endif
-    vec3 dielectric = matt * m.base + m.tint * (once * mix(rest5, 1.0, m.reflectance) + again * m.again);
-    vec3 fresnel = max(mix(vec3(rest5), vec3(1.0), m.base) - m.dip * (facing * rest5 * rest), 0.0);
-    vec3 sum = mix(dielectric, once * fresnel + again * m.metalAgain, m.metal);
-#ifdef LIT_LAYERS
-    sum += stray.x * m.metalBounce + stray.y * m.dielectricBounce;
-#endif
-#ifdef LIT_COAT
-    float shine = m.coatShine * facets(m.coatAlpha, m.normal, h, cosine, m.cosine) * mix(rest5, 1.0, m.coatReflectance);
-#ifdef LIT_FUZZ
-    shine *= veil(layers.y, m.fuzzOfEye, m.fuzzMean, evenOf(m.coatFacets.rough, vec2(cosine, m.cosine)));
-#endif
-    sum = sum * m.coatTint + shine;
-#endif
-#ifdef LIT_FUZZ
-    sum += m.fuzzColor * fibres(m.fuzzRough, dot(m.normal, h), cosine, m.cosine);
-#endif
-    return m.kept * sum;
-}
-
-// Of Phong's lobe that is as wide around the mirrored direction.
-float standInExponent(float alpha) { return clamp(0.5 / (alpha * alpha) - 0.5, 0.0, 65504.0); }
-
-#ifdef LIGHT_HAS_SKY
-vec3 skyMirrored(Lit m, vec3 gloss, float alpha)
-{
-    float exponent = standInExponent(alpha);
-    return gloss * (0.5 * exponent + 1.0) * skyLobe(m.reflected, m.reflected, exponent);
-}
-
-vec3 surfaceSky(Lit m)
-{
-    vec3 sum = m.even * skyIrradiance(m.normal) + skyMirrored(m, m.gloss, m.alpha);
-#ifdef LIT_COAT
-    if (m.coatGloss > 0.0) sum += skyMirrored(m, vec3(m.coatGloss), m.coatAlpha);
-#endif
-    return sum;
-}
-#endif
-
-#ifdef LIGHT_HAS_HEMISPHERE
-vec3 surfaceHemisphere(Lit m) { return m.even * hemisphereMatt(m.normal) + glossAround(m) * hemisphereMirrored(m.reflected); }
-#endif
-
-#ifdef LIGHT_HAS_AREAS
-int surfaceAreaSides(Lit m)
-{
-#ifdef LIT_COAT
-    if (m.coatGloss > 0.0) return 3;
-#endif
-    return 2;
-}
-
-// What it sends evenly, what the base reflects, what the coat reflects.
-AreaSide surfaceAreaSide(Lit m, int i)
-{
-    AreaSide side = areaPowers(m.normal, i == 0 ? m.even : m.gloss, vec3(0.0), m.normal, m.normal, i == 0 ? 0.0 : -1.0);
-    side.into = m.glossInto;
-#ifdef LIT_COAT
-    if (i == 2) side.even = vec3(m.coatGloss);
-    if (i == 2) side.into = m.coatInto;
-#endif
-    return side;
-}
-
-vec3 surfaceArea(Lit m, Area light)
-{
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < surfaceAreaSides(m); i++) sum += areaOfSide(light, surfaceAreaSide(m, i));
-    return sum;
-}
-#endif

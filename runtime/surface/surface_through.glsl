@@ -1,7 +1,40 @@
 // What every surface model lets through: the share of the light behind it that passes, straight on. Nothing is refracted.
-vec3 surfaceThrough(Surface s)
+// Of a Principled that lets light through as a dielectric the rest of it, beside holes, is what its layers do not reflect toward toEye: as much as comes
+// in from there.
+#ifdef LIT_CLEAR
+vec3 notReflected(Surface s, vec3 toEye)
+{
+    float cosine = clamp(abs(dot(s.normal, toEye)), 1e-3, 1.0), rough = 0.0, reflectance = 0.0;
+    vec3 left = vec3(1.0);
+#ifdef SURFACE_HAS_roughness
+    rough = s.roughness;
+#endif
+#ifdef SURFACE_HAS_reflectance
+    reflectance = clamp(s.reflectance, 0.0, 1.0);
+#endif
+    left *= 1.0 - reflectedOf(albedo(cosine, glossOf(clamp(rough, 0.0316227766, 1.0))), reflectance, 0.0);
+#ifdef LIT_COAT
+    if (s.coat > 0.0) {
+        Coat coat = coatOf(s);
+        left *= coat.tint * (1.0 - min(s.coat, 1.0) * coatAlbedo(albedo(cosine, glossOf(coat.rough)), coat.reflectance));
+    }
+#endif
+#ifdef LIT_FUZZ
+    left *= 1.0 - s.fuzz * fuzzAlbedo(cosine, fuzzRoughOf(s));
+#endif
+    return left;
+}
+#endif
+
+vec3 surfaceThrough(Surface s, vec3 toEye)
 {
 #ifdef SURFACE_HAS_transparency
+#ifdef LIT_CLEAR
+    if (s.transmission > 0.0) {
+        float holes = holesOf(s);
+        return holes + (s.transparency - holes) * notReflected(s, toEye);
+    }
+#endif
     return s.transparency;
 #else
     return vec3(0.0);

@@ -36,6 +36,7 @@ static const SlotLook looks[SLOT_LOOK_COUNT] = {
     {"fuzzColor", COLOR},
     {"fuzzRoughness", NUMBER},
     {"anisotropy", NORMAL},
+    {"transmission", NUMBER},
 };
 
 const char *slot_look_name(int i) { return looks[i].name; }
