@@ -1,9 +1,10 @@
 /* Bisection by compute stages, under OSMesa: its triangles against those that the processor's bisection makes by the same error, in double; the same set of them however the camera came there;
- * each side of a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures against those of fine meshes. */
+ * each side of a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures against those of fine meshes, and shadows of what the camera does not see. */
 #include "tests/frame/bisection_reference.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "runtime/displace/displaced_bisection.h"
+#include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -127,8 +128,8 @@ static int by_value(const void *a, const void *b)
 /* Sorted; from malloc. */
 static uint64_t *leaves_of(Bisected *b, int *count)
 {
-    const int size[2] = {EDGE, EDGE};
-    if (!displaced_write(&b->displaced, &b->scene->camera, size, &b->mesh))
+    const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}};
+    if (!displaced_write(&b->displaced, &view, &b->mesh))
         fail_msg("%s", b->gl->error);
     uint64_t *leaves = displaced_bisection_leaves(&b->displaced, count);
     assert_non_null(leaves);
@@ -156,13 +157,19 @@ static void triangles_are_those_of_the_processor(void **state)
     static const struct {
         int body, triangles;
         double distance, pixels;
-    } rows[] = {{0, 9000, 3, 1.5}, {0, 9000, 2.2, 2}, {1, 9000, 1.5, .6}, {1, 4000, 6, .1}};
+        double lamp[3]; /* a point; of no length: far away */
+    } rows[] = {{0, 9000, 3, 1.5, {0}}, {0, 9000, 2.2, 2, {0}},         {1, 9000, 1.5, .6, {0}},
+                {1, 4000, 6, .15, {0}}, {0, 9000, 3, 2, {2.5, 2, 1.7}}, {1, 9000, 1.5, .8, {-1, 1.5, 1}}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char how[80];
         int counts[2];
         snprintf(how, sizeof how, "pixels: %g, triangles: %d", rows[i].pixels, rows[i].triangles);
         Bisected b = begin(*state, how, bodies[rows[i].body]);
         look_from(&b.scene->camera, 1, 8, rows[i].distance);
+        if (scene_vector_dot(rows[i].lamp, rows[i].lamp) > 0) {
+            b.scene->lights[0].kind = SCENE_Point;
+            memcpy(b.scene->lights[0].position, rows[i].lamp, sizeof rows[i].lamp);
+        }
         uint64_t *found = leaves_of(&b, &counts[0]),
                  *wanted = bisection_reference(
                      &(BisectionReference){b.scene, &b.options, b.mesh.body != SHAPE_BODY_none}, &counts[1]);
@@ -231,7 +238,7 @@ static void each_side_has_another(void **state)
     static const double distances[] = {1.1, 1.7, 2.2, 20};
     long triangles = 0;
     for (int body = 1; body < BODIES; body++) {
-        Bisected b = begin(*state, "pixels: 0.7, triangles: 2000", bodies[body]);
+        Bisected b = begin(*state, "pixels: 3, triangles: 2000", bodies[body]);
         for (int view = 0; view < 16; view++) {
             Shape shape;
             int count;
@@ -300,6 +307,53 @@ static void pictures_are_those_of_meshes(void **state)
         free(light[k]);
 }
 
+/* The camera sees a floor, and of a body nothing but its shadow: that is the one which a fine mesh throws, though a triangle out of view counts as eight times as far; when the lamp comes near, too. */
+static void shadows_are_those_of_meshes(void **state)
+{
+    const MatcOptions options = frame_exact_options();
+    const Fixture *with = *state;
+    static const char *const how[] = {"method: mesh, level: 24", "method: bisection, pixels: 0.2, triangles: 30000",
+                                      "method: bisection, pixels: 1.6, triangles: 30000"};
+    float *light[6]; /* of three meshes, by a lamp that is far away and one that is near */
+    for (int k = 0; k < 3; k++) {
+        MatcDocument *document;
+        char text[4000];
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [4, -3, -1], target: [4, "
+                 "0, -4], angle: 30 }\n%s  floor: { material: Phong, diffuse: 1 }\n"
+                 "displacement: { %s }\nlights: [{ light: Point, position: [-40, 0, 40], intensity: 50000, shadows: "
+                 "exact }]\nobjects:\n%s- { object: Parallelogram, u: [20, 0, 0], v: [0, 20, 0], material: floor, "
+                 "transform: { translation: [-10, -10, -4] } }\n",
+                 EDGE, EDGE, materials, how[k], bodies[1]);
+        Scene *scene = frame_scene(text, &options, &document);
+        Render *render = render_open(with->gl, &(RenderOptions){.compile = &options, .view = "light"});
+        assert_true(render && render_scene(render, scene) && render_frame(render));
+        for (int near = 0; near < 2; near++) {
+            if (near) {
+                scene->lights[0].position[0] = -4;
+                scene->lights[0].position[2] = 4;
+                assert_true(render_changed(render, RENDER_LIGHTS) && render_frame(render));
+            }
+            light[3 * near + k] = malloc(4 * PIXELS * sizeof **light);
+            assert_true(render_read(render, light[3 * near + k]));
+        }
+        render_close(render);
+        frame_forget(scene, document);
+    }
+    for (int near = 0; near < 2; near++) {
+        int dark = 0;
+        for (int i = 0; i < PIXELS; i++)
+            dark += light[3 * near][4 * i] < .02f;
+        const int off = differing(light[3 * near], light[3 * near + 1]),
+                  coarse = differing(light[3 * near], light[3 * near + 2]);
+        print_message("%d pixels of a shadow; %d differ, %d where triangles are an eighth as fine\n", dark, off,
+                      coarse);
+        assert_true(dark > PIXELS / 16 && off < (near ? 10 : 30) && coarse > 2 * off);
+    }
+    for (int i = 0; i < 6; i++)
+        free(light[i]);
+}
+
 /* A driver that cannot gets the processor's. */
 static void others_get_meshes(void **state)
 {
@@ -323,6 +377,7 @@ int main(void)
         cmocka_unit_test(the_way_does_not_matter),
         cmocka_unit_test(each_side_has_another),
         cmocka_unit_test(pictures_are_those_of_meshes),
+        cmocka_unit_test(shadows_are_those_of_meshes),
         cmocka_unit_test(others_get_meshes),
     };
     return cmocka_run_group_tests(tests, open_all, close_all);

@@ -236,7 +236,6 @@ static bool add_surface(Maker *m, int number)
     place.even = surface->even ? surface->through : NULL;
     place.program = m->cache->kinds[place.kind].material.program->name;
     place.transparent = m->cache->kinds[place.kind].transparent;
-    m->cache->triangles += m->cache->meshes[place.mesh].index_count / 3;
     m->cache->places[m->cache->place_count++] = place;
     return true;
 }

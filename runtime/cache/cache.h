@@ -115,6 +115,8 @@ void cache_delete(GlContext *gl, Cache *cache);
 bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache, const SceneObject *object);
 /* Has the driver displace meshes again that go by the view. */
 bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache);
+/* Some of these go by lights. */
+bool cache_mesh_by_lights(const Cache *cache);
 /* The view is another. Nothing is made. cache_view.c, as is what follows. */
 bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache);
 /* So many objects from `first` on stand elsewhere. */

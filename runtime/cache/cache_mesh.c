@@ -1,5 +1,6 @@
 /* Meshes of a cache: of solids, of files, and those that the driver displaces. */
 #include "runtime/cache/cache.h"
+#include <math.h>
 
 static bool make_mesh_of(GlContext *gl, Cache *cache, const Shape *shape)
 {
@@ -20,13 +21,31 @@ static CullBox box_of_patches(const SceneMesh *mesh)
     return box;
 }
 
+/* Around all objects; where there are planes, which have no end, as DisplacedView has it. */
+static void find_box(const CacheSource *source, const Cache *cache, DisplacedView *view)
+{
+    for (int i = 0; i < (cache->plane_count ? 0 : cache->place_count); i++) {
+        const CullBox *box = &cache->boxes[cache->places[i].mesh];
+        const double *m = source->scene->objects[cache->places[i].object].world_from_local.m;
+        for (int k = 0; k < 3; k++) {
+            double middle = m[12 + k], extent = 0;
+            for (int lane = 0; lane < 3; lane++) {
+                middle += m[4 * lane + k] * (box->low[lane] + box->high[lane]) / 2;
+                extent += fabs(m[4 * lane + k]) * (box->high[lane] - box->low[lane]) / 2;
+            }
+            view->low[k] = i ? fmin(view->low[k], middle - extent) : middle - extent;
+            view->high[k] = i ? fmax(view->high[k], middle + extent) : middle + extent;
+        }
+    }
+}
+
 /* Has the driver displace it for the view, where it does not stand so. */
-static bool displace(GlContext *gl, const CacheSource *source, Cache *cache, int mesh)
+static bool displace(const DisplacedView *view, const CacheSource *source, Cache *cache, int mesh)
 {
     Displaced *displaced = &cache->displaced[mesh];
     SceneMesh *of = &source->scene->meshes[cache->displaced[mesh].mesh];
     Shape shape;
-    if (!displaced_write(displaced, &source->scene->camera, source->size, &cache->meshes[mesh]))
+    if (!displaced_write(displaced, view, &cache->meshes[mesh]))
         return false;
     cache->displaced_anew |= displaced->anew;
     if (!source->triangles || !displaced->anew)
@@ -35,7 +54,7 @@ static bool displace(GlContext *gl, const CacheSource *source, Cache *cache, int
         return false;
     shape_free(&of->shape);
     of->shape = shape;
-    return gl_check(gl, "displacing a mesh");
+    return true;
 }
 
 /* That the driver displaces: it may run through itself, and show its back there. */
@@ -54,7 +73,9 @@ static bool make_displaced(Store *store, const CacheSource *source, Cache *cache
     cache->mesh_count++;
     if (!displaced_make(store, source->scene, source->compile, number, &cache->displaced[mesh]))
         return set_fail(gl, source->scene, from->patches->material);
-    if (!displace(gl, source, cache, mesh))
+    if (displaced_by_view(&cache->displaced[mesh]))
+        return true; /* cache_mesh_view follows, which knows all objects */
+    if (!displace(&(DisplacedView){source->scene, {source->size[0], source->size[1]}, {0}, {0}}, source, cache, mesh))
         return false;
     if (source->triangles)
         cache->boxes[mesh] = cull_box(&from->shape);
@@ -76,11 +97,25 @@ bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache, cons
     return done;
 }
 
+bool cache_mesh_by_lights(const Cache *cache)
+{
+    bool by_lights = false;
+    for (int i = 0; i < cache->mesh_count; i++)
+        by_lights |= displaced_by_lights(&cache->displaced[i]);
+    return by_lights;
+}
+
 bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache)
 {
+    DisplacedView view = {source->scene, {source->size[0], source->size[1]}, {0}, {0}};
     bool fine = true;
+    if (cache_mesh_by_lights(cache))
+        find_box(source, cache, &view);
     for (int i = 0; fine && i < cache->mesh_count; i++)
         if (displaced_by_view(&cache->displaced[i]))
-            fine = displace(gl, source, cache, i);
+            fine = displace(&view, source, cache, i) && gl_check(gl, "displacing a mesh");
+    cache->triangles = 0;
+    for (int i = 0; i < cache->place_count; i++)
+        cache->triangles += cache->meshes[cache->places[i].mesh].index_count / 3;
     return fine;
 }

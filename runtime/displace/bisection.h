@@ -16,7 +16,11 @@ enum {
     BISECTION_ROUNDS, /* of merging, of splitting */
     BISECTION_GROUPS = 16,
     BISECTION_GROUPS_CHOSEN = 20,
-    BISECTION_HEAD = 32,
+    BISECTION_LIGHTS = 24, /* how many, and from the next on four words of each */
+    BISECTION_LIGHT = 28,
+    BISECTION_LIGHTS_MOST = 16,
+    BISECTION_BOX = BISECTION_LIGHT + 4 * BISECTION_LIGHTS_MOST,
+    BISECTION_HEAD = BISECTION_BOX + 6,
     BISECTION_LISTS = 7
 };
 /* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what follows them is one farther. */
@@ -39,6 +43,12 @@ typedef enum {
     BISECTION_STAGES
 } BisectionStage;
 
+/* Lights that cast shadows, and the box on what: as words of the head. */
+typedef struct {
+    int count;
+    float each[BISECTION_LIGHTS_MOST][4], box[2][3];
+} BisectionLights;
+
 typedef struct {
     Material stages[BISECTION_STAGES]; /* splitting is the mesh's material */
     GLuint buffers[BISECTION_BUFFERS];
@@ -50,6 +60,7 @@ typedef struct {
     int splits, merges, looks;              /* of the last view */
     SceneCamera camera;
     int size[2];
+    BisectionLights lights;
 } Bisection;
 
 bool bisection_there(const GlContext *gl);

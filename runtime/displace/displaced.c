@@ -5,8 +5,8 @@
 #include <string.h>
 
 /* A method's row says how its triangles are made; displaced_method.h has what a row may say. */
-static const DisplacedMethod *const methods[] = {&displaced_grid, &displaced_tessellation, &displaced_geometry,
-                                                 &displaced_points, &displaced_feedback, &displaced_bisection,
+static const DisplacedMethod *const methods[] = {&displaced_grid,       &displaced_tessellation, &displaced_geometry,
+                                                 &displaced_points,     &displaced_feedback,     &displaced_bisection,
                                                  &displaced_by_tracing, &displaced_by_parallax};
 
 /* `auto` is the grid. */
@@ -75,11 +75,12 @@ bool displaced_by_view(const Displaced *d)
     return d->material.store && (d->method->by_view || d->patches->pixels > 0);
 }
 
-bool displaced_write(Displaced *d, const SceneCamera *camera, const int size[2], Mesh *mesh)
+bool displaced_by_lights(const Displaced *d) { return d->material.store && d->method == &displaced_bisection; }
+
+bool displaced_write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 {
-    const DisplacedView view = {camera, {size[0], size[1]}};
     d->anew = true;
-    d->written = d->method->write(d, &view, mesh);
+    d->written = d->method->write(d, view, mesh);
     return d->written;
 }
 

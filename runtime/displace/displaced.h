@@ -25,14 +25,23 @@ typedef struct {
     int points;                /* that were written */
 } Displaced;
 
+/* By whom triangles are seen. */
+typedef struct {
+    const Scene *scene;     /* its camera, and lights */
+    int size[2];            /* pixels of the picture */
+    double low[3], high[3]; /* of a box around all that shadows may fall on; low >= high: they fall anywhere */
+} DisplacedView;
+
 /* The driver can: OpenGL 4.5, with buffers that its stages read. */
 bool displaced_there(const GlContext *gl, Word method);
 /* Makes programs and buffers of a mesh of the scene that has patches; of the mesh nothing yet but its arrays. False: see the context's error; *made is empty. */
 bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile, int mesh, Displaced *made);
-/* Writes the triangles for that camera, where they are not those that are there. False: see the context's error. */
-bool displaced_write(Displaced *displaced, const SceneCamera *camera, const int size[2], Mesh *mesh);
+/* Writes the triangles for that view, where they are not those that are there. False: see the context's error. */
+bool displaced_write(Displaced *displaced, const DisplacedView *view, Mesh *mesh);
 /* It is there, and its triangles go by the camera. */
 bool displaced_by_view(const Displaced *displaced);
+/* The same of lights that cast shadows. */
+bool displaced_by_lights(const Displaced *displaced);
 /* The triangles that were written last. False: see the context's error; *made is empty. */
 bool displaced_read(const Displaced *displaced, const Mesh *mesh, Shape *made);
 /* Safe on an empty one, which it leaves behind. */

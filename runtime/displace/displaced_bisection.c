@@ -71,6 +71,9 @@ static void write_head(const Displaced *d, GLuint high)
     const GlContext *gl = displaced_context(d);
     memset(b->head, 0, sizeof b->head);
     b->head[BISECTION_HIGH] = high;
+    b->head[BISECTION_LIGHTS] = (GLuint)b->lights.count;
+    memcpy(&b->head[BISECTION_LIGHT], b->lights.each, sizeof b->lights.each);
+    memcpy(&b->head[BISECTION_BOX], b->lights.box, sizeof b->lights.box);
     gl->BindBuffer(GL_COPY_READ_BUFFER, b->head_copy);
     gl->BufferData(GL_COPY_READ_BUFFER, sizeof b->head, b->head, GL_STREAM_READ);
     copy_head(d, b->head_copy, b->buffers[BISECTION_WORK]);
@@ -157,7 +160,7 @@ static void set_plane(const double normal[3], const double at[3], double offset,
 
 static void set_view(Displaced *d, const DisplacedView *view, const Mesh *mesh)
 {
-    const SceneCamera *camera = view->camera;
+    const SceneCamera *camera = &view->scene->camera;
     const double shorter = view->size[0] < view->size[1] ? view->size[0] : view->size[1];
     const bool parallel = camera->kind == SCENE_Orthographic;
     float sides[16], front[4], eye[4];
@@ -180,6 +183,30 @@ static void set_view(Displaced *d, const DisplacedView *view, const Mesh *mesh)
     bisection_set_number(d, "bisect_closed", mesh->body != SHAPE_BODY_none);
 }
 
+/* The first of those that cast shadows, as many as there is room for. */
+static BisectionLights find_lights(const DisplacedView *view)
+{
+    const float anywhere = 1e30f;
+    const Scene *scene = view->scene;
+    BisectionLights found = {0};
+    for (int i = 0; i < scene->light_count && found.count < BISECTION_LIGHTS_MOST; i++) {
+        const SceneLight *light = &scene->lights[i];
+        const bool far = light->kind == SCENE_Directional;
+        if (!scene_light_casts(light) ||
+            !(far || light->kind == SCENE_Point || light->kind == SCENE_Spot || light->kind == SCENE_Area))
+            continue;
+        for (int k = 0; k < 3; k++)
+            found.each[found.count][k] = (float)(far ? -light->direction[k] : light->position[k]);
+        found.each[found.count++][3] = !far;
+    }
+    for (int k = 0; k < 3; k++) {
+        const bool ends = view->low[k] < view->high[k];
+        found.box[0][k] = ends ? (float)view->low[k] : -anywhere;
+        found.box[1][k] = ends ? (float)view->high[k] : anywhere;
+    }
+    return found;
+}
+
 static bool begin(Displaced *d, Mesh *mesh)
 {
     Bisection *b = d->own;
@@ -200,12 +227,15 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
     Bisection *b = d->own;
     const GlContext *gl = displaced_context(d);
     const bool first = !b->room;
+    const BisectionLights lights = find_lights(view);
     d->anew = false;
-    if (!first && !memcmp(&b->camera, view->camera, sizeof b->camera) && !memcmp(b->size, view->size, sizeof b->size))
+    if (!first && !memcmp(&b->camera, &view->scene->camera, sizeof b->camera) &&
+        !memcmp(b->size, view->size, sizeof b->size) && !memcmp(&b->lights, &lights, sizeof lights))
         return true;
     if (first && !begin(d, mesh))
         return false;
-    b->camera = *view->camera;
+    b->lights = lights;
+    b->camera = view->scene->camera;
     memcpy(b->size, view->size, sizeof b->size);
     b->splits = b->merges = b->looks = 0;
     set_view(d, view, mesh);

@@ -243,10 +243,10 @@ static bool move(Displaced *d, const Feedback *own, int count, Mesh *mesh)
 static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 {
     Feedback *own = d->own;
-    d->anew = !d->written || memcmp(own->eye, view->camera->position, sizeof own->eye) != 0;
+    d->anew = !d->written || memcmp(own->eye, view->scene->camera.position, sizeof own->eye) != 0;
     if (!d->anew)
         return true;
-    memcpy(own->eye, view->camera->position, sizeof own->eye);
+    memcpy(own->eye, view->scene->camera.position, sizeof own->eye);
     const float eye[3] = {(float)own->eye[0], (float)own->eye[1], (float)own->eye[2]};
     material_set(&own->divide, &(MaterialValue){"displace_eye", 3, eye});
     int count = begin_with_patches(d, own);

@@ -14,12 +14,6 @@ typedef struct {
     const char *displace; /* its matc_displaced() */
 } DisplacedMaking;
 
-/* By whom triangles are seen. */
-typedef struct {
-    const SceneCamera *camera;
-    int size[2]; /* pixels of the picture */
-} DisplacedView;
-
 typedef struct DisplacedMethod {
     Word word;    /* of the list Displacing */
     bool by_view; /* triangles go by the camera, whatever the key `pixels` says */
@@ -68,5 +62,6 @@ typedef struct {
     size_t (*draw)(Displaced *displaced, const int first[2], int n, const Mesh *mesh, size_t at);
 } DisplacedByParts;
 /* The mesh's rows become all their triangles. */
-bool displaced_by_parts(Displaced *displaced, const int first[SCENE_PATCH_PARTS + 2], const DisplacedByParts *by, Mesh *mesh);
+bool displaced_by_parts(Displaced *displaced, const int first[SCENE_PATCH_PARTS + 2], const DisplacedByParts *by,
+                        Mesh *mesh);
 #endif

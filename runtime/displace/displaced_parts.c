@@ -34,7 +34,7 @@ bool displaced_parts(Displaced *d, const DisplacedView *view, int first[SCENE_PA
     uint8_t(*parts)[3] = malloc(bytes + 1);
     if (!parts)
         return gl_fail(displaced_context(d), "out of memory");
-    scene_patches_levels(d->patches, view->camera, view->size, parts);
+    scene_patches_levels(d->patches, &view->scene->camera, view->size, parts);
     d->anew = !d->written || memcmp(parts, d->parts, bytes) != 0;
     memcpy(d->parts, parts, bytes);
     free(parts);

@@ -44,7 +44,7 @@ static void set_eye(Displaced *d, const DisplacedView *view)
     for (int i = 0; i < 3; i++) {
         double sum = inverse.m[12 + i];
         for (int k = 0; k < 3; k++)
-            sum += inverse.m[4 * k + i] * view->camera->position[k];
+            sum += inverse.m[4 * k + i] * view->scene->camera.position[k];
         eye[i] = (float)sum;
     }
     material_set(&d->material, &(MaterialValue){"displace_eye", 3, eye});

@@ -33,10 +33,11 @@ static bool is_target(const char *view)
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
     if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
-        return gl_fail(gl,
-                       "there is no view '%s': shown, wireframe, volume, light, depth, shadow, positions, voxels, open, "
-                       "indirect, bent, visibility, or a slot",
-                       options->view),
+        return gl_fail(
+                   gl,
+                   "there is no view '%s': shown, wireframe, volume, light, depth, shadow, positions, voxels, open, "
+                   "indirect, bent, visibility, or a slot",
+                   options->view),
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
@@ -263,7 +264,7 @@ bool render_changed(Render *render, unsigned what)
         render->uncounted = true, render->shadows.drawn = false;
         pass_voxels_forget(render);
     }
-    if (what & (RENDER_CAMERA | RENDER_TIME)) {
+    if (what & (RENDER_CAMERA | RENDER_TIME) || (what & RENDER_LIGHTS && cache_mesh_by_lights(&render->cache))) {
         look(render);
         const CacheSource source = frame_source(render);
         if (!cache_view(render->gl, &source, &render->cache))

@@ -64,10 +64,10 @@ static void end(Bisected *b)
 /* Seconds; a negative number: it fails. */
 static double write(Bisected *b)
 {
-    const int size[2] = {EDGE, EDGE};
+    const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}};
     b->gl->Finish();
     const double begin = bench_now();
-    if (!displaced_write(&b->displaced, &b->scene->camera, size, &b->mesh))
+    if (!displaced_write(&b->displaced, &view, &b->mesh))
         return -1;
     b->gl->Finish();
     return bench_now() - begin;
