@@ -18,7 +18,7 @@ static MatcDocument *make(const char *name, const char *text, size_t size, const
     d->session = session_open(&d->options, &d->arena);
     d->session.measure = d->options.measure;
     d->session.stage_start = session_now();
-    Source source = {arena_string(&d->arena, name, strlen(name)), arena_string(&d->arena, text, size), size};
+    const Source source = {.name = arena_string(&d->arena, name, strlen(name)), .text = arena_string(&d->arena, text, size), .size = size};
     ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
     session_depend_on(&d->session, source.name);
     return d;

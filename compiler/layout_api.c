@@ -27,7 +27,7 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
     layout->options = choice_whole_options(options);
     Session *session = &layout->session;
     *session = (Session){.options = &layout->options, .arena = &layout->arena};
-    Source source = {arena_string(session->arena, name, strlen(name)), arena_string(session->arena, text, size), size};
+    const Source source = {.name = arena_string(session->arena, name, strlen(name)), .text = arena_string(session->arena, text, size), .size = size};
     ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
     const Tree *tree = read_document(session, 0);
     const LayoutRow *row = tree ? layout_read(session, tree) : NULL;

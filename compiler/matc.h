@@ -217,7 +217,7 @@ MATC_API void matc_constant_block(const MatcProgram *program, void *block);
  * v = 0. */
 typedef struct {
     const char *name; /* of its sampler */
-    const char *path; /* of the picture, or NULL for one that matc made */
+    const char *path; /* of the picture, or NULL for one that matc made; "a.glb#/images/2": it lies within that file */
     int width, height;
     int lanes;                  /* 1 or 4 a texel */
     const unsigned char *bytes; /* a byte a lane, over 255; or NULL */

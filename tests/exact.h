@@ -132,7 +132,7 @@ static inline void read_open(Read *r, const char *text, ReferenceNoise noise)
     *r = (Read){0};
     matc_options_init(&r->options);
     r->session = (Session){.options = &r->options, .arena = &r->arena};
-    Source source = {"exact.yaml", text, strlen(text)};
+    Source source = {.name = "exact.yaml", .text = text, .size = strlen(text)};
     ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_room, source);
     r->graph = compile_front(&r->session, 0, &tree);
     if (!r->graph || r->session.diags.errors)

@@ -83,12 +83,12 @@ static void what_is_not_read_is_said(void **state)
     } cases[] = {
         {"[{\"extensions\":{\"KHR_materials_unlit\":{}}}]", "2:29: warning: KHR_materials_unlit is not read"},
         {"[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]",
-         "1:861: warning: a picture that is no file of its own is not read"},
+         "1:861: error: cannot read the picture 'case.gltf#/images/1': it is neither PNG nor JPEG nor OpenEXR"},
         {"[{\"normalTexture\":{\"index\":0,\"texCoord\":1}}]",
          "2:53: warning: a second set of texture coordinates, of normals, is not read"},
         {"[{\"normalTexture\":{\"index\":2}}]", "2:40: error: the file's list textures has no item 2"},
         {"[{\"normalTexture\":{\"index\":-1}}]", "2:40: error: the file's list textures has no item -1"},
-        {"[{\"normalTexture\":7}]", "2:31: warning: a picture that is no file of its own is not read"},
+        {"[{\"normalTexture\":7}]", "2:31: warning: a texture without a picture is not read"},
         {"[{\"thicknessTexture\":{\"index\":0}}]", "2:15: warning: thicknessTexture is not read"},
         {"[{\"alphaMode\":\"GLASS\"}]", "2:27: error: alphaMode wants OPAQUE, MASK or BLEND, not 'GLASS'"},
         {"[{\"occlusionTexture\":{\"index\":0}}]", "2:34: warning: occlusionTexture of a glTF is not wholly kept"},
@@ -174,10 +174,12 @@ static void a_mesh_has_the_files_materials(void **state)
 static void meshes_have_colors(void **state)
 {
     (void)state;
-    static const char painted[] =
-        "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"COLOR_0\":1},\"material\":0}]}],"
-        "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"tiles%20a.png\"}],\"materials\":[{\"name\":\"a\",\"pbrMetallicRoughness\":{"
-        "\"baseColorTexture\":{\"index\":0,\"texCoord\":1}}},{\"name\":\"b\",\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]}";
+    static const char painted[] = "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{"
+                                  "\"POSITION\":0,\"COLOR_0\":1},\"material\":0}]}],"
+                                  "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"tiles%20a.png\"}],"
+                                  "\"materials\":[{\"name\":\"a\",\"pbrMetallicRoughness\":{"
+                                  "\"baseColorTexture\":{\"index\":0,\"texCoord\":1}}},{\"name\":\"b\","
+                                  "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]}";
     char path[128];
     MatcOptions options;
     matc_options_init(&options);
@@ -187,7 +189,8 @@ static void meshes_have_colors(void **state)
     const MatcNumbers seen = matc_eval_slot(document, 0, "u=.9 v=.9 @uv1.x=.1 @uv1.y=.3 @color.r=.5", &options);
     const MatcNumbers plain = matc_eval_slot(document, 1, "u=.1 v=.3", &options);
     assert_null(seen.fault);
-    assert_true(plain.lane[0] > 0 && fabs(seen.lane[0] - plain.lane[0] / 2) < 1e-12 && fabs(seen.lane[1] - plain.lane[1]) < 1e-12);
+    assert_true(plain.lane[0] > 0 && fabs(seen.lane[0] - plain.lane[0] / 2) < 1e-12 &&
+                fabs(seen.lane[1] - plain.lane[1]) < 1e-12);
     matc_document_free(document);
 }
 
@@ -215,8 +218,9 @@ static int clean(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(materials_are_a_document), cmocka_unit_test(what_is_not_read_is_said),
-        cmocka_unit_test(meshes_are_in_parts), cmocka_unit_test(meshes_have_colors), cmocka_unit_test(a_mesh_has_the_files_materials)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_a_document),
+                                       cmocka_unit_test(what_is_not_read_is_said),
+                                       cmocka_unit_test(meshes_are_in_parts), cmocka_unit_test(meshes_have_colors),
+                                       cmocka_unit_test(a_mesh_has_the_files_materials)};
     return cmocka_run_group_tests(tests, prepare, clean);
 }

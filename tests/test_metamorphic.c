@@ -39,7 +39,7 @@ static void side_open(Side *s, const char *text, Slot slot)
         "none"; /* what is averaged goes by what a program costs, and documents that mean the same may differ in that */
     s->options.read_file = generate_file;
     s->session = (Session){.options = &s->options, .arena = &s->arena, .check = true};
-    Source source = {"same.yaml", text, strlen(text)};
+    Source source = {.name = "same.yaml", .text = text, .size = strlen(text)};
     ARENA_PUSH(&s->arena, s->session.sources, s->session.source_count, s->session.source_room, source);
     s->graph = compile_front(&s->session, 0, &tree);
     if (!s->graph || s->session.diags.errors)

@@ -14,6 +14,8 @@ typedef struct {
     const char *name; /* as the user wrote it */
     const char *text; /* zero-terminated */
     size_t size;
+    const char *binary; /* what a container has beside its text; NULL: it is none */
+    size_t binary_size;
 } Source;
 
 typedef struct {

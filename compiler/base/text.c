@@ -305,3 +305,16 @@ void text_plain(Text *out, double value)
     else
         text_double(out, value);
 }
+
+const char *text_decoded(Arena *arena, const char *uri)
+{
+    Text text = text_new(arena);
+    text_put(&text, "");
+    for (; *uri; uri++) {
+        const int high = *uri == '%' ? text_hex_digit(uri[1]) : -1, low = high >= 0 ? text_hex_digit(uri[2]) : -1;
+        const bool code = low >= 0 && high + low > 0;
+        text_char(&text, code ? (char)(16 * high + low) : *uri);
+        uri += code ? 2 : 0;
+    }
+    return text.at;
+}

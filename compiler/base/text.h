@@ -38,6 +38,9 @@ void text_visible(Text *text, const char *string, size_t size);
 /* A whole number without a point: "0.5", "12", "1000000". */
 void text_plain(Text *out, double value);
 
+/* An address without its %20: RFC 3986. "a%20b.png" -> "a b.png". */
+const char *text_decoded(Arena *arena, const char *uri);
+
 /* What the system says of an errno, in English. */
 const char *text_error(int error);
 

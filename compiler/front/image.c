@@ -1,4 +1,4 @@
-/* Pictures that documents name: PNG, JPEG or OpenEXR, told by their first bytes. The numbers are the file's: gamma, profiles and all else
+/* Pictures that documents name, files or parts of glTF files: PNG, JPEG or OpenEXR, told by their first bytes. The numbers are the file's: gamma, profiles and all else
  * that says how they are to be shown is passed over. */
 #include "compiler/front/image_file.h"
 #include <stdlib.h>
@@ -27,30 +27,59 @@ static size_t bytes_of_all(const Resolver *r)
     return bytes;
 }
 
+/* The bytes of the picture of that path, and the file to free, if it is one; false: `why`. */
+static bool find_bytes(Resolver *r, const char *path, ImageFile *picture, char **file, const char **why)
+{
+    GltfBytes bytes = {0};
+    *file = NULL;
+    if (gltf_file_has(path)) {
+        if (!gltf_file_picture(r->session, &r->gltf_files, path, &bytes, why))
+            return false;
+    } else {
+        session_depend_on(r->session, path);
+        bytes.at = *file = session_read_file(r->session, path, &bytes.size, why);
+        if (!*file)
+            return false;
+    }
+    picture->at = bytes.at, picture->end = bytes.at + bytes.size;
+    return true;
+}
+
+static const Image *read_picture(Resolver *r, const char *full, const char **why)
+{
+    ImageFile picture = {.session = r->session};
+    char *file;
+    if (!find_bytes(r, full, &picture, &file, why))
+        return NULL;
+    Image *image = ARENA_NEW(r->session->arena, Image);
+    image->path = full;
+    image->index = (int)r->image_count;
+    const size_t taken = bytes_of_all(r), most = (size_t)LIMIT_PIXELS_MIB << 20;
+    picture.image = image;
+    picture.room = taken < most ? most - taken : 0;
+    *why = decode(&picture);
+    free(file);
+    return *why ? NULL : image;
+}
+
+/* What cannot be had is read once, too. */
 const Image *image_load(Resolver *r, const char *path, Span span)
 {
     Session *session = r->session;
     const char *full = session_path_beside(session, session->sources[span.file].name, path), *why = "";
-    int found = names_find(&r->image_paths, full);
+    const int found = names_find(&r->image_paths, full), broken = found < 0 ? names_find(&r->broken_paths, full) : -1;
     if (found >= 0)
         return r->images[found];
-    size_t size;
-    session_depend_on(session, full);
-    char *file = session_read_file(session, full, &size, &why);
-    if (!file)
-        return diag_add(session, span, DIAG_no_image, path, why);
-    Image *image = ARENA_NEW(session->arena, Image);
-    image->path = full;
-    image->index = (int)r->image_count;
-    ImageFile picture = {.session = session, .at = file, .end = file + size, .image = image};
-    const size_t taken = bytes_of_all(r), most = (size_t)LIMIT_PIXELS_MIB << 20;
-    picture.room = taken < most ? most - taken : 0;
-    why = decode(&picture);
-    free(file);
-    if (why)
-        return diag_add(session, span, DIAG_no_image, path, why);
-    const Image *kept = image;
-    ARENA_PUSH(session->arena, r->images, r->image_count, r->image_room, kept);
-    names_add(session->arena, &r->image_paths, full);
-    return image;
+    const Image *image = broken < 0 ? read_picture(r, full, &why) : NULL;
+    if (image) {
+        ARENA_PUSH(session->arena, r->images, r->image_count, r->image_room, image);
+        names_add(session->arena, &r->image_paths, full);
+        return image;
+    }
+    if (broken < 0) {
+        size_t count = r->broken_paths.count;
+        ARENA_PUSH(session->arena, r->broken, count, r->broken_room, why);
+        names_add(session->arena, &r->broken_paths, full);
+    }
+    return diag_add(session, span, DIAG_no_image, path, broken < 0 ? why : r->broken[broken]);
 }

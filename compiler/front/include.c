@@ -136,7 +136,7 @@ Tree *include_read(Session *session, const Tree *name, int depth, bool *fine)
     }
     if (!is_shipped(found.path))
         session_depend_on(session, found.path);
-    const Source source = {found.path, found.text, found.size};
+    const Source source = {.name = found.path, .text = found.text, .size = found.size};
     ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
     Tree *tree = read_document(session, (uint32_t)session->source_count - 1);
     if (tree && tree->kind != TREE_object)

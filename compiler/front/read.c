@@ -1,4 +1,5 @@
 /* Text -> Tree: what is asked of any text, then the reader that its name calls for. */
+#include "compiler/front/gltf_chunks.h"
 #include "compiler/front/read.h"
 #include <string.h>
 
@@ -23,21 +24,34 @@ static bool check_utf8(const TreeBuilder *b, const Source *source)
     return true;
 }
 
-Tree *read_document(Session *session, uint32_t file)
+typedef Tree *Read(TreeBuilder *b);
+
+static Tree *read_by(Session *session, uint32_t file, Read *read)
 {
     const Source *source = &session->sources[file];
-    if (source->size > (size_t)LIMIT_DOCUMENT_MIB << 20)
-        return diag_add(session, (Span){0, 0, file}, DIAG_too_large, LIMIT_DOCUMENT_MIB);
     TreeBuilder builder = {.session = session, .file = file};
     if (source->size >= 3 && !memcmp(source->text, "\xEF\xBB\xBF", 3))
         builder.start = 3;
     if (!check_utf8(&builder, source))
         return NULL;
-    Tree *tree = ends_in(source->name, ".gltf")   ? read_gltf(&builder)
-                 : ends_in(source->name, ".json") ? read_json(&builder)
-                                                  : read_yaml(&builder);
+    Tree *tree = read(&builder);
     tree_build_done(&builder);
     if (tree && builder.zero.end)
         diag_add(session, builder.zero, DIAG_zero_byte);
     return tree;
+}
+
+Tree *read_json_of(Session *session, uint32_t file) { return read_by(session, file, read_json); }
+
+Tree *read_document(Session *session, uint32_t file)
+{
+    const char *name = session->sources[file].name;
+    if (session->sources[file].size > (size_t)LIMIT_DOCUMENT_MIB << 20)
+        return diag_add(session, (Span){0, 0, file}, DIAG_too_large, LIMIT_DOCUMENT_MIB);
+    if (!gltf_chunks_open(session, file))
+        return NULL;
+    return read_by(session, file,
+                   ends_in(name, ".gltf") || ends_in(name, ".glb") ? read_gltf
+                   : ends_in(name, ".json")                        ? read_json
+                                                                   : read_yaml);
 }

@@ -8,4 +8,6 @@ Tree *read_yaml(TreeBuilder *b);
 Tree *read_json(TreeBuilder *b);
 /* The materials of a glTF file, as a document. */
 Tree *read_gltf(TreeBuilder *b);
+/* The JSON of a source, whatever its name: what was read as something else. */
+Tree *read_json_of(Session *session, uint32_t file);
 #endif

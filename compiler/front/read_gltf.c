@@ -7,6 +7,7 @@
  * said that they are not read. Where primitives have no material, there is one more, called `default`. */
 #include "compiler/base/names.h"
 #include "compiler/base/text.h"
+#include "compiler/front/gltf_chunks.h"
 #include "compiler/front/read.h"
 #include <stdlib.h>
 #include <string.h>
@@ -87,26 +88,6 @@ static Tree *item_of(Gltf *g, const char *list, const Tree *index)
     return NULL;
 }
 
-static int hex_of(char digit)
-{
-    const char *digits = "0123456789abcdef", *at = digit ? strchr(digits, digit | 0x20) : NULL;
-    return at && text_is_alphanumeric(digit) ? (int)(at - digits) : -1;
-}
-
-/* "a%20b.png" -> "a b.png": RFC 3986. */
-static const char *decoded(Gltf *g, const char *uri)
-{
-    Text text = text_new(g->session->arena);
-    text_put(&text, "");
-    for (; *uri; uri++) {
-        const bool code =
-            *uri == '%' && hex_of(uri[1]) >= 0 && hex_of(uri[2]) >= 0 && hex_of(uri[1]) + hex_of(uri[2]) > 0;
-        text_char(&text, code ? (char)(16 * hex_of(uri[1]) + hex_of(uri[2])) : *uri);
-        uri += code ? 2 : 0;
-    }
-    return text.at;
-}
-
 /* How the picture goes on, and whether texels are mixed. */
 static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
 {
@@ -166,22 +147,31 @@ static Tree *coordinates_of(Gltf *g, const Tree *info, bool normals)
     return NULL;
 }
 
+/* The file's name; of a picture within this one, the place that it has in it. */
+static void put_image(Gltf *g, Keys *made, const Tree *image, const Tree *number)
+{
+    const Tree *uri = value_of(image, "uri");
+    const bool file = uri && uri->kind == TREE_scalar && strncmp(uri->text, "data:", 5) != 0;
+    put(g, made, "image",
+        file ? word(g, text_decoded(g->session->arena, uri->text), uri->span)
+             : word(g, gltf_chunks_picture(g->session, image->span.file, number->text), image->span));
+}
+
 /* { index, texCoord } as a map; NULL: it cannot be had, which is said. */
 static Tree *picture(Gltf *g, const Tree *info, bool srgb, bool normals)
 {
     const Tree *index = value_of(info, "index");
     Tree *coordinates = coordinates_of(g, info, normals);
     const Tree *texture = index ? item_of(g, "textures", index) : NULL, *source = value_of(texture, "source");
-    const Tree *image = source ? item_of(g, "images", source) : NULL, *uri = value_of(image, "uri");
-    if (!uri || uri->kind != TREE_scalar || !strncmp(uri->text, "data:", 5)) {
-        if (image || !index || (texture && !source))
-            diag_add(g->session, (image ? image : info)->span, DIAG_gltf_unread,
-                     "a picture that is no file of its own");
+    const Tree *image = source ? item_of(g, "images", source) : NULL;
+    if (!image) {
+        if (!index || (texture && !source))
+            diag_add(g->session, info->span, DIAG_gltf_unread, "a texture without a picture");
         return NULL;
     }
     Keys made = {0};
     put(g, &made, "map", word(g, "ImageMap", info->span));
-    put(g, &made, "image", word(g, decoded(g, uri->text), uri->span));
+    put_image(g, &made, image, source);
     put(g, &made, "colorspace", word(g, srgb ? "srgb" : "linear", info->span));
     put_sampler(g, &made, texture);
     put_transform(g, &made, info, coordinates);

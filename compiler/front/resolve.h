@@ -1,6 +1,7 @@
 /* Tree -> Graph: names, aliases, types, defaults, ranges, references, cycles. */
 #ifndef MATC_RESOLVE_H
 #define MATC_RESOLVE_H
+#include "compiler/front/gltf_file.h"
 #include "compiler/front/tree.h"
 #include <string.h>
 
@@ -27,6 +28,10 @@ typedef struct {
     const Image **images;
     size_t image_count, image_room;
     Names image_paths;
+    GltfFiles gltf_files; /* that pictures lie in */
+    Names broken_paths;   /* of pictures that cannot be had, and what is wrong with them */
+    const char **broken;
+    size_t broken_room;
     bool *srgb_files; /* by source: its colours are sRGB; those beyond the room are linear */
     size_t srgb_room;
     UndecidedPicture *undecided; /* in files of `colors: srgb` */

@@ -1,7 +1,8 @@
-/* The buffers of a .gltf file, whose addresses are relative to it. Data within the file, places of the net and whatever is wrong are
+/* The buffers of a .gltf or .glb file, whose addresses are relative to it. Data within the file, places of the net and whatever is wrong are
  * passed over: reading the mesh says what is wrong. An address is taken as it is, %20 too, as assimp 5.2 takes it. */
 #include "compiler/base/file.h"
 #include "compiler/base/text.h"
+#include "compiler/front/gltf_chunks.h"
 #include "runtime/scene/model.h"
 #include <cjson/cJSON.h>
 #include <stdio.h>
@@ -25,9 +26,13 @@ void model_files(const char *path, WatchList *files)
 {
     const char *dot = strrchr(path, '.'), *why;
     char file[LONGEST_PATH];
-    size_t size;
-    char *text = dot && text_same(dot, ".gltf") ? file_read(path, &size, &why) : NULL;
-    cJSON *json = text ? cJSON_ParseWithLength(text, size) : NULL;
+    size_t size = 0;
+    const bool binary = dot && text_same(dot, ".glb");
+    char *text = dot && (binary || text_same(dot, ".gltf")) ? file_read(path, &size, &why) : NULL;
+    Arena arena = {0};
+    GltfChunks chunks = {.text = text, .size = size};
+    const bool whole = text && (!binary || !gltf_chunks_of(&arena, text, size, &chunks));
+    cJSON *json = whole ? cJSON_ParseWithLength(chunks.text, chunks.size) : NULL;
     const cJSON *buffer;
     cJSON_ArrayForEach(buffer, cJSON_GetObjectItem(json, "buffers"))
     {
@@ -36,5 +41,6 @@ void model_files(const char *path, WatchList *files)
             watch_list_add(files, file);
     }
     cJSON_Delete(json);
+    arena_free(&arena);
     free(text);
 }

@@ -2,9 +2,11 @@
  * it is given the file with the materials' numbers for names.
  *     "materials": [{ "name": "Bark" }, {}]     becomes     "materials": [{ "name": "0" }, { "name": "1" }] */
 #include "runtime/scene/model_number.h"
+#include "compiler/front/gltf_chunks.h"
 #include <cjson/cJSON.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 char *model_number_materials(const char *text, size_t size)
 {
@@ -23,6 +25,39 @@ char *model_number_materials(const char *text, size_t size)
         made = cJSON_PrintUnformatted(json);
     cJSON_Delete(json);
     return made;
+}
+
+static void put_word(char *to, size_t word)
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = (char)(word >> 8 * i & 0xFF);
+}
+
+char *model_number_binary(const char *bytes, size_t size, size_t *made)
+{
+    enum { HEAD = 20, ROUND = 4 };
+    Arena arena = {0};
+    GltfChunks chunks;
+    char *text =
+        gltf_chunks_of(&arena, bytes, size, &chunks) ? NULL : model_number_materials(chunks.text, chunks.size);
+    arena_free(&arena);
+    if (!text)
+        return NULL;
+    const char *rest = chunks.text + chunks.size;
+    const size_t length = strlen(text), whole = (length + ROUND - 1) / ROUND * ROUND,
+                 left = size - (size_t)(rest - bytes);
+    char *glb = malloc(HEAD + whole + left);
+    if (!glb)
+        abort();
+    *made = HEAD + whole + left;
+    memcpy(glb, bytes, HEAD);
+    put_word(glb + 8, *made);
+    put_word(glb + 12, whole);
+    memset(glb + HEAD, ' ', whole);
+    memcpy(glb + HEAD, text, length);
+    memcpy(glb + HEAD + whole, rest, left);
+    free(text);
+    return glb;
 }
 
 int model_material_number(const char *name)

@@ -60,22 +60,24 @@ static FILE *open_file(const char *path, size_t *size)
     return file;
 }
 
-/* In place of a .gltf its text with numbered materials. */
-static void number_materials(ModelFile *opened)
+/* In place of a .gltf, or a .glb, the same with numbered materials. */
+static void number_materials(ModelFile *opened, bool binary)
 {
     char *text = malloc(opened->size + 1);
     if (!text)
         abort();
-    const size_t size = fread(text, 1, opened->size, opened->file);
-    opened->text = model_number_materials(text, size);
+    size_t size = fread(text, 1, opened->size, opened->file);
+    opened->text = binary ? model_number_binary(text, size, &size) : model_number_materials(text, size);
+    if (opened->text && !binary)
+        size = strlen(opened->text);
     free(text);
     rewind(opened->file);
-    FILE *file = opened->text ? fmemopen(opened->text, strlen(opened->text), "rb") : NULL;
+    FILE *file = opened->text ? fmemopen(opened->text, size, "rb") : NULL;
     if (!file)
         return;
     fclose(opened->file);
     opened->file = file;
-    opened->size = strlen(opened->text);
+    opened->size = size;
 }
 
 static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, const char *mode)
@@ -88,8 +90,8 @@ static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, 
     opened->file = open_file(path, &opened->size);
     if (opened->file) {
         const char *dot = strrchr(path, '.');
-        if (dot && text_same(dot, ".gltf"))
-            number_materials(opened);
+        if (dot && (text_same(dot, ".gltf") || text_same(dot, ".glb")))
+            number_materials(opened, text_same(dot, ".glb"));
         return &opened->calls;
     }
     free(opened);

@@ -155,7 +155,7 @@ static bool is_in_parts(const SceneThing *thing, int material)
 {
     const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
     const char *dot = file && file->kind == TREE_scalar ? strrchr(file->text, '.') : NULL;
-    return dot && !strcmp(dot, ".gltf") && material < 0 && !scene_thing_given(thing, S_Mesh_material);
+    return dot && (!strcmp(dot, ".gltf") || !strcmp(dot, ".glb")) && material < 0 && !scene_thing_given(thing, S_Mesh_material);
 }
 
 static bool add_parts(SceneReader *r, const SceneThing *thing, SceneObject object)

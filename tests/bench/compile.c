@@ -96,7 +96,7 @@ static void print_stages(bool timed)
     for (int run = 0; run < (timed ? RUNS : 1); run++) {
         Arena arena = {0};
         Session session = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
-        Source source = {"bench.yaml", peers_document, sizeof peers_document - 1};
+        Source source = {.name = "bench.yaml", .text = peers_document, .size = sizeof peers_document - 1};
         ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
         Tree *tree;
         Products products;

@@ -203,7 +203,7 @@ static void read_back(const Setting *s, const char *text, GrowthRun *run)
 {
     Arena arena = {0};
     Session session = {.options = &s->options, .arena = &arena, .optimize = s->options.optimize};
-    Source source = {"growth.yaml", text, run->read};
+    Source source = {.name = "growth.yaml", .text = text, .size = run->read};
     Tree *tree;
     Job job;
     ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);

@@ -42,7 +42,7 @@ static bool open_document(Trial *t, const char *text, size_t size)
     t->options.validate = false;
     t->options.read_file = generate_file;
     t->session = (Session){.options = &t->options, .arena = &t->arena, .check = true};
-    Source source = {"stress.yaml", text, size};
+    Source source = {.name = "stress.yaml", .text = text, .size = size};
     ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room, source);
     t->graph = compile_front(&t->session, 0, &t->tree);
     if (!t->graph || t->session.diags.errors || !t->graph->material_count)

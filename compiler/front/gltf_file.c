@@ -1,0 +1,206 @@
+#include "compiler/front/gltf_file.h"
+#include "compiler/base/text.h"
+#include "compiler/front/read.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_DIGITS = 7 };
+
+typedef struct {
+    GltfBytes bytes;
+    bool read;
+    const char *why; /* it could not be */
+} Buffer;
+
+struct GltfFile {
+    const char *path;
+    const Tree *root; /* NULL: it could not be read */
+    const char *why;  /* it could not */
+    const char *binary;
+    size_t binary_size;
+    Buffer *buffers; /* by number; NULL: none was asked for */
+};
+
+static bool ends_in(const char *name, size_t size, const char *ending)
+{
+    const size_t end = strlen(ending);
+    return size > end && !memcmp(name + size - end, ending, end);
+}
+
+bool gltf_file_has(const char *path)
+{
+    const char *mark = strstr(path, GLTF_IMAGES);
+    return mark && (ends_in(path, (size_t)(mark - path), ".gltf") || ends_in(path, (size_t)(mark - path), ".glb"));
+}
+
+static const Tree *value_of(const Tree *tree, const char *key)
+{
+    const Member *member = tree && tree->kind == TREE_object ? tree_find(tree, key) : NULL;
+    return member ? member->value : NULL;
+}
+
+/* A whole number of bytes or an index; `without` where nothing stands, SIZE_MAX where it is none. */
+static size_t whole_of(const Tree *tree, size_t without)
+{
+    double value;
+    if (!tree)
+        return without;
+    return tree->kind == TREE_scalar && tree->plain && tree_number(tree, &value) && value >= 0 && value <= UINT32_MAX &&
+                   value == (double)(size_t)value
+               ? (size_t)value
+               : SIZE_MAX;
+}
+
+static const Tree *item_of(const Tree *root, const char *list, size_t index)
+{
+    const Tree *items = value_of(root, list);
+    return items && items->kind == TREE_list && index < items->count ? items->items[index] : NULL;
+}
+
+static int digit_of(char c)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const char *at = c ? strchr(digits, c) : NULL;
+    return at ? (int)(at - digits) : -1;
+}
+
+/* "data:image/png;base64,iVBORw0..." (RFC 2397, RFC 4648). */
+static bool decode_data(Session *session, const Tree *uri, GltfBytes *bytes, const char **why)
+{
+    static const char mark[] = ";base64,";
+    const char *from = strstr(uri->text, mark), *end = uri->text + uri->count;
+    if (!from)
+        return *why = "its data: address has no ;base64,", false;
+    from += sizeof mark - 1;
+    while (end > from && end[-1] == '=')
+        end--;
+    char *to = arena_alloc(session->arena, (size_t)(end - from) / 4 * 3 + 3);
+    *bytes = (GltfBytes){to, 0};
+    uint32_t bits = 0;
+    for (size_t i = 0; from + i < end; i++) {
+        const int digit = digit_of(from[i]);
+        if (digit < 0)
+            return *why = "its data: address is no base64", false;
+        bits = bits << 6 | (uint32_t)digit;
+        if (i % 4)
+            to[bytes->size++] = (char)(bits >> (6 - 2 * (i % 4)));
+    }
+    return true;
+}
+
+static bool is_data(const Tree *uri) { return !strncmp(uri->text, "data:", 5); }
+
+static bool read_beside(Session *session, const char *from, const char *uri, GltfBytes *bytes, const char **why)
+{
+    const char *path = session_path_beside(session, from, text_decoded(session->arena, uri));
+    session_depend_on(session, path);
+    char *file = session_read_file(session, path, &bytes->size, why);
+    if (!file)
+        return false;
+    bytes->at = arena_string(session->arena, file, bytes->size);
+    free(file);
+    return true;
+}
+
+/* A file, a data: address, the chunk of a .glb. */
+static bool read_buffer(Session *session, const GltfFile *file, size_t number, GltfBytes *bytes, const char **why)
+{
+    const Tree *uri = value_of(item_of(file->root, "buffers", number), "uri");
+    if (uri && uri->kind != TREE_scalar)
+        return *why = "its buffer's uri is no text", false;
+    if (uri)
+        return is_data(uri) ? decode_data(session, uri, bytes, why)
+                            : read_beside(session, file->path, uri->text, bytes, why);
+    *bytes = (GltfBytes){file->binary, file->binary_size};
+    return (!number && file->binary) || (*why = "its buffer has no uri, and the file no binary chunk", false);
+}
+
+/* What a buffer holds, read once; NULL: `why`. */
+static const Buffer *buffer_of(Session *session, GltfFile *file, size_t number, const char **why)
+{
+    if (!item_of(file->root, "buffers", number))
+        return *why = "its bufferView names no buffer", NULL;
+    if (!file->buffers)
+        file->buffers = ARENA_ARRAY(session->arena, Buffer, value_of(file->root, "buffers")->count);
+    Buffer *buffer = &file->buffers[number];
+    if (!buffer->read && !read_buffer(session, file, number, &buffer->bytes, &buffer->why))
+        buffer->bytes = (GltfBytes){0};
+    else if (!buffer->read)
+        buffer->why = NULL;
+    buffer->read = true;
+    *why = buffer->why;
+    return buffer->why ? NULL : buffer;
+}
+
+static bool read_view(Session *session, GltfFile *file, const Tree *index, GltfBytes *bytes, const char **why)
+{
+    const Tree *view = item_of(file->root, "bufferViews", whole_of(index, SIZE_MAX));
+    const size_t number = whole_of(value_of(view, "buffer"), SIZE_MAX);
+    if (!view)
+        return *why = "its bufferView is not there", false;
+    const Buffer *buffer = buffer_of(session, file, number, why);
+    if (!buffer)
+        return false;
+    const size_t offset = whole_of(value_of(view, "byteOffset"), 0),
+                 length = whole_of(value_of(view, "byteLength"), SIZE_MAX);
+    if (offset > buffer->bytes.size || length > buffer->bytes.size - offset)
+        return *why = "its bufferView ends behind the end of its buffer", false;
+    *bytes = (GltfBytes){buffer->bytes.at + offset, length};
+    return true;
+}
+
+/* A source of that path: one that was read as a document, or read now. */
+static bool find_source(Session *session, const char *path, uint32_t *found, const char **why)
+{
+    for (size_t i = 0; i < session->source_count; i++)
+        if (!strcmp(session_path_beside(session, "", session->sources[i].name), path))
+            return *found = (uint32_t)i, true;
+    session_depend_on(session, path);
+    size_t size;
+    char *text = session_read_file(session, path, &size, why);
+    if (!text)
+        return false;
+    const Source source = {.name = path, .text = arena_string(session->arena, text, size), .size = size};
+    free(text);
+    *found = (uint32_t)session->source_count;
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
+    return gltf_chunks_open(session, *found) || (*why = "the file is broken", false);
+}
+
+static GltfFile *file_of(Session *session, GltfFiles *files, const char *path)
+{
+    uint32_t source = 0;
+    for (size_t i = 0; i < files->count; i++)
+        if (!strcmp(files->at[i]->path, path))
+            return files->at[i];
+    GltfFile *file = ARENA_NEW(session->arena, GltfFile);
+    ARENA_PUSH(session->arena, files->at, files->count, files->room, file);
+    *file = (GltfFile){.path = path, .why = "the file is broken"};
+    if (!find_source(session, path, &source, &file->why))
+        return file;
+    file->root = read_json_of(session, source);
+    file->binary = session->sources[source].binary;
+    file->binary_size = session->sources[source].binary_size;
+    return file;
+}
+
+bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, GltfBytes *picture, const char **why)
+{
+    const char *mark = strstr(path, GLTF_IMAGES), *number = mark + sizeof GLTF_IMAGES - 1;
+    const size_t digits = strspn(number, "0123456789");
+    GltfFile *file = file_of(session, files, arena_string(session->arena, path, (size_t)(mark - path)));
+    if (!file->root)
+        return *why = file->why, false;
+    const Tree *image = digits && digits <= MOST_DIGITS && !number[digits]
+                            ? item_of(file->root, "images", strtoul(number, NULL, 10))
+                            : NULL;
+    const Tree *uri = value_of(image, "uri"), *view = value_of(image, "bufferView");
+    if (!image)
+        return *why = "the file's list images has no such item", false;
+    if (view)
+        return read_view(session, file, view, picture, why);
+    if (!uri || uri->kind != TREE_scalar)
+        return *why = "the file says neither its uri nor its bufferView", false;
+    return is_data(uri) ? decode_data(session, uri, picture, why)
+                        : read_beside(session, file->path, uri->text, picture, why);
+}
