@@ -217,6 +217,36 @@ static void levels_are_those_below(void **state)
 }
 
 /* Six sheets, turned so that none lies along an axis: from a corner of the map, over the faces of empty voxels, the middle is not reached. */
+/* Bricks of all levels, as rays read them: a voxel of a level is full where any of the map's in it is; none else. */
+static void bricks_are_those_of_the_map(void **state)
+{
+    (void)state;
+    static const int sizes[] = {32, 128, 256};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        FrameVoxelsDrawn d = frame_voxels_drawn(FRAME_VOXELS_BODIES FRAME_VOXELS_SHEETS, sizes[i]);
+        const int size = d.size, count = (size * size * size / 8 - 1) / 7;
+        uint32_t *wanted = calloc((size_t)count, 2 * sizeof *wanted),
+                 *bricks = malloc((size_t)count * 2 * sizeof *bricks);
+        assert_true(wanted && bricks);
+        for (int k = 0; k < size * size * size; k++) {
+            const int at[3] = {k % size, k / size % size, k / size / size};
+            for (int level = 0, edge; frame_voxels_bit(&d, at) && (edge = size >> level >> 2) > 0; level++) {
+                const int x = at[0] >> level, y = at[1] >> level, z = at[2] >> level;
+                const int brick = (edge * edge * edge - 1) / 7 + (z / 4 * edge + y / 4) * edge + x / 4;
+                wanted[2 * brick + z / 2 % 2] |= 1u << (x % 4 + 4 * (y % 4) + 16 * (z % 2));
+            }
+        }
+        d.gl->BindBuffer(GL_TEXTURE_BUFFER, d.render->voxels.buffer);
+        d.gl->GetBufferSubData(GL_TEXTURE_BUFFER, 0, (GLsizeiptr)((size_t)count * 2 * sizeof *bricks), bricks);
+        d.gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
+        assert_int_equal(d.gl->GetError(), 0);
+        assert_memory_equal(bricks, wanted, (size_t)count * 2 * sizeof *bricks);
+        free(wanted);
+        free(bricks);
+        frame_voxels_forget(&d);
+    }
+}
+
 static void nothing_gets_out_of_a_room(void **state)
 {
     (void)state;
@@ -283,9 +313,8 @@ static void what_moves_is_made_again(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(voxels_are_those_of_the_triangles),
-        cmocka_unit_test(levels_are_those_below),
-        cmocka_unit_test(nothing_gets_out_of_a_room),
+        cmocka_unit_test(voxels_are_those_of_the_triangles), cmocka_unit_test(levels_are_those_below),
+        cmocka_unit_test(bricks_are_those_of_the_map),       cmocka_unit_test(nothing_gets_out_of_a_room),
         cmocka_unit_test(what_moves_is_made_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
 /* Rays through slice maps: voxelRay against the walk through single voxels, bit for bit, and both against a walk in double. Grids at random and hostile
- * ones; rays along axes, faces and edges, from outside, of any length, with lanes that are 0 or no numbers. Prints the steps of a ray. */
+ * ones; rays along axes, faces and edges, from outside, of any length, with lanes that are 0 or no numbers. Prints the bricks that a ray reads. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,20 +17,20 @@ extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text
 
 enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, LANES = 4 };
 
-/* What it meets: t, or -1; the voxel, in two floats; words that were read. */
+/* What it meets: t, or -1; the voxel, in two floats; bricks that were read. */
 static const char head[] =
     "uniform sampler2D rays;\n"
     "vec4 rayTexel(ivec2 pixel, int i) { return texelFetch(rays, ivec2(2 * pixel.x + i, pixel.y), 0); }\n"
     "vec4 said(bool met, float t, ivec3 at, int steps)\n{\n"
     "    return met ? vec4(t, at.x + 1024 * at.y, at.z, steps) : vec4(-1.0, 0.0, 0.0, steps);\n}\n";
-static const char by_levels[] =
+static const char by_bricks[] =
     "vec4 passPixel(ivec2 pixel)\n{\n"
     "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n"
     "    VoxelMeeting meeting;\n    float t;\n"
     "    bool met = voxelMeets(from.xyz, way.xyz, from.w, meeting);\n"
-    "    if (met != voxelRay(from.xyz, way.xyz, from.w, t) || met && (t != meeting.t || !voxelIsFull(meeting.at, 0))) "
+    "    if (met != voxelRay(from.xyz, way.xyz, from.w, t) || met && (t != meeting.t || !voxelIsFull(meeting.at))) "
     "return vec4(-9.0);\n"
-    "    return said(met, meeting.t, meeting.at, meeting.steps);\n}\n";
+    "    return said(met, meeting.t, meeting.at, meeting.bricks);\n}\n";
 static const char by_voxels[] = "vec4 passPixel(ivec2 pixel)\n{\n"
                                 "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n"
                                 "    VoxelHit hit = voxelWalk(from.xyz, way.xyz, from.w, 0, true);\n"
@@ -61,8 +61,8 @@ static const char *const kinds[KINDS] = {"empty", "full", "sparse", "dense", "si
 static bool is_full(Filling kind, int size, const int at[3])
 {
     double far = 0;
-    for (int k = 0; k < 3; k++)
-        far += pow(at[k] + .5 - size / 2., 2);
+    for (int k = 0; kind == BALL && k < 3; k++)
+        far += (at[k] + .5 - size / 2.) * (at[k] + .5 - size / 2.);
     switch (kind) {
     case EMPTY:
         return false;
@@ -94,47 +94,67 @@ static VoxelWords make_grid(Filling kind, int size)
     return words;
 }
 
-/* The words of all levels, in a buffer's texture. */
+/* As a slice map, and as bricks of all levels. */
 typedef struct {
-    GLuint words, buffer;
+    GLuint slices, bricks, buffer;
 } Map;
 
-/* Of a level's texels those of the next, in the same place, which is behind what is still read. */
-static void make_level(uint32_t *texels, int edge, int layers)
+/* A full voxel is in a brick of each level: 4 x 4 x 4 voxels of it, which are 2^level wide. The highest level is the first in the buffer. */
+static void put_voxel(const int at[3], int size, uint64_t *bricks)
 {
-    for (int i = 0; i < edge * edge / 4 * layers * LANES; i++) {
-        const int lane = i % LANES, x = i / LANES % (edge / 2), y = i / LANES / (edge / 2) % (edge / 2),
-                  layer = i / LANES / (edge / 2) / (edge / 2);
-        uint32_t any = 0;
-        for (int k = 0; k < 4; k++)
-            any |= texels[((layer * edge + 2 * y + k / 2) * edge + 2 * x + k % 2) * LANES + lane];
-        texels[i] = any;
+    for (int level = 0, edge; (edge = size >> level >> 2) > 0; level++) {
+        const int above = (edge * edge * edge - 1) / 7; /* bricks of all levels above: 1 + 8 + 64 + .. */
+        const int voxel[3] = {at[0] >> level, at[1] >> level, at[2] >> level};
+        bricks[above + (voxel[2] / 4 * edge + voxel[1] / 4) * edge + voxel[0] / 4] |=
+            (uint64_t)1 << (voxel[0] % 4 + 4 * (voxel[1] % 4) + 16 * (voxel[2] % 4));
     }
+}
+
+/* Texels have two words, the lower first. */
+static void make_bricks(const GlContext *gl, const VoxelWords *words, Map *map)
+{
+    const int size = words->size, columns = size * size, high = size / 32, count = (size * size * size / 8 - 1) / 7;
+    uint64_t *bricks = calloc((size_t)count, sizeof *bricks);
+    uint32_t *halves = calloc((size_t)count, 2 * sizeof *halves);
+    assert_true(bricks && halves);
+    for (int i = 0; i < columns * high; i++)
+        for (int bit = 0; words->words[i] && bit < 32; bit++)
+            if (words->words[i] >> bit & 1)
+                put_voxel((int[]){i / high % size, i / high / size, i % high * 32 + bit}, size, bricks);
+    for (int i = 0; i < 2 * count; i++)
+        halves[i] = (uint32_t)(bricks[i / 2] >> 32 * (i % 2));
+    gl->GenBuffers(1, &map->buffer);
+    gl->BindBuffer(GL_TEXTURE_BUFFER, map->buffer);
+    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)((size_t)count * sizeof *bricks), halves, GL_STATIC_DRAW);
+    gl->GenTextures(1, &map->bricks);
+    gl->ActiveTexture(GL_TEXTURE0 + 1);
+    gl->BindTexture(GL_TEXTURE_BUFFER, map->bricks);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_RG32UI, map->buffer);
+    free(bricks);
+    free(halves);
 }
 
 static Map make_map(const GlContext *gl, const VoxelWords *words)
 {
-    const int layers = (words->size / 32 + LANES - 1) / LANES;
-    const size_t texel = LANES * sizeof(uint32_t) * (size_t)layers;
     uint32_t *texels = voxel_words_texels(words);
     Map map;
-    size_t at = 0;
-    gl->GenBuffers(1, &map.buffer);
-    gl->BindBuffer(GL_TEXTURE_BUFFER, map.buffer);
-    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)((size_t)((4 * words->size * words->size - 1) / 3) * texel), NULL,
-                   GL_STATIC_DRAW);
-    for (int edge = words->size; edge; edge /= 2) {
-        const size_t bytes = (size_t)(edge * edge) * texel;
-        gl->BufferSubData(GL_TEXTURE_BUFFER, (GLintptr)at, (GLsizeiptr)bytes, texels);
-        make_level(texels, edge, layers);
-        at += bytes;
-    }
-    gl->GenTextures(1, &map.words);
-    gl->ActiveTexture(GL_TEXTURE0 + 1);
-    gl->BindTexture(GL_TEXTURE_BUFFER, map.words);
-    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, map.buffer);
+    gl->GenTextures(1, &map.slices);
+    gl->ActiveTexture(GL_TEXTURE0 + 2);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, map.slices);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32UI, words->size, words->size,
+                   (words->size / 32 + LANES - 1) / LANES, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texels);
+    make_bricks(gl, words, &map);
     free(texels);
     return map;
+}
+
+static void forget_map(const GlContext *gl, const Map *map)
+{
+    gl->DeleteTextures(1, &map->slices);
+    gl->DeleteTextures(1, &map->bricks);
+    gl->DeleteBuffers(1, &map->buffer);
 }
 
 /* -- rays */
@@ -184,7 +204,7 @@ static void run(GlContext *gl, int size, const char *text, const char *body, flo
     Screen screen;
     ScreenPass pass;
     Framebuffer target;
-    const bool compute = !strcmp(body, by_levels);
+    const bool compute = !strcmp(body, by_bricks);
     const FramebufferSpec spec = {.width = WIDE, .height = HIGH, .color_count = 1, .color_format = GL_RGBA32F};
     const TextureSpec texture = {.width = 2 * WIDE, .height = HIGH, .lanes = 4, .floats = rays[0][0]};
     const ScreenPassText made = {
@@ -195,7 +215,8 @@ static void run(GlContext *gl, int size, const char *text, const char *body, flo
         !screen_pass_make(store, &made, &pass))
         fail_msg("%s", gl->error);
     screen_pass_sampler(&pass, "rays", 0);
-    screen_pass_sampler(&pass, "voxel_words", 1);
+    screen_pass_sampler(&pass, "voxel_bricks", 1);
+    screen_pass_sampler(&pass, "voxel_slices", 2);
     material_set_number(&pass.material, "voxel_size", (float)size);
     texture_bind(gl, name, 0);
     screen_pass_run(&pass, &target, &screen);
@@ -211,7 +232,7 @@ static void run(GlContext *gl, int size, const char *text, const char *body, flo
 
 typedef struct {
     int met, apart, unlike, wrong;
-    double steps;
+    double bricks;
 } Count;
 
 /* The same in double, also of rays beside it; whether all meet one voxel, or none. */
@@ -265,7 +286,7 @@ static Count compare(const VoxelWords *words)
         const int at[3] = {(int)fast[1] % 1024, (int)fast[1] / 1024, (int)fast[2]};
         VoxelMet met;
         count.met += fast[0] >= 0;
-        count.steps += fast[3] / RAYS;
+        count.bricks += fast[3] / RAYS;
         count.apart += memcmp(fast, slow, 3 * sizeof *fast) != 0;
         count.wrong += is_none((const float(*)[4])rays[i]) && fast[0] >= 0;
         if (!is_plain((const float(*)[4])rays[i]))
@@ -279,29 +300,25 @@ static Count compare(const VoxelWords *words)
     return count;
 }
 
-static void try_grid(GlContext *gl, Filling kind, int size, bool hostile)
+static void try_rays(GlContext *gl, Filling kind, const VoxelWords *words, bool hostile)
 {
-    VoxelWords words = make_grid(kind, size);
-    const Map map = make_map(gl, &words);
+    const int size = words->size;
     random_state = (uint32_t)(size + kind);
     for (int i = 0; i < RAYS; i++)
         if (hostile)
             hostile_ray(i, size, rays[i]);
         else
             random_ray(size, i % 4 == 0, rays[i]);
-    run(gl, size, render_text_voxel_ray, by_levels, said[0]);
+    run(gl, size, render_text_voxel_ray, by_bricks, said[0]);
     run(gl, size, render_text_voxel_walk, by_voxels, said[1]);
-    const Count count = compare(&words);
-    print_message("%3d %-7s %s: %4d of %d meet, %d apart; in double %d wrong, %d at an edge; %.1f steps a ray\n", size,
+    const Count count = compare(words);
+    print_message("%3d %-7s %s: %4d of %d meet, %d apart; in double %d wrong, %d at an edge; %.1f bricks a ray\n", size,
                   kinds[kind], hostile ? "hostile" : "random ", count.met, RAYS, count.apart, count.wrong, count.unlike,
-                  count.steps);
+                  count.bricks);
     assert_int_equal(count.apart, 0);
     assert_int_equal(count.wrong, 0);
     if (!hostile)
         assert_true(count.unlike < RAYS / 20);
-    gl->DeleteTextures(1, &map.words);
-    gl->DeleteBuffers(1, &map.buffer);
-    free(words.words);
 }
 
 static void rays_meet_what_a_walk_meets(void **state)
@@ -310,10 +327,16 @@ static void rays_meet_what_a_walk_meets(void **state)
     static const int sizes[] = {32, 64, 128, 256, 512};
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        for (Filling kind = 0; kind < KINDS; kind++)
-            for (int hostile = 0; hostile < 2 && (sizes[i] == 32 || sizes[i] == 128 || kind == BALL || kind == SPARSE);
-                 hostile++)
-                try_grid(gl, kind, sizes[i], hostile);
+        for (Filling kind = 0; kind < KINDS; kind++) {
+            if (sizes[i] != 32 && sizes[i] != 128 && kind != BALL && kind != SPARSE)
+                continue;
+            VoxelWords words = make_grid(kind, sizes[i]);
+            const Map map = make_map(gl, &words);
+            for (int hostile = 0; hostile < 2; hostile++)
+                try_rays(gl, kind, &words, hostile);
+            forget_map(gl, &map);
+            free(words.words);
+        }
     gl_close(gl);
 }
 
@@ -356,8 +379,7 @@ static void marches_look_at_even_places(void **state)
         compared++;
     }
     assert_true(compared > RAYS / 2 && met > RAYS / 10);
-    gl->DeleteTextures(1, &map.words);
-    gl->DeleteBuffers(1, &map.buffer);
+    forget_map(gl, &map);
     free(words.words);
     gl_close(gl);
 }

@@ -35,7 +35,8 @@ void pass_cubes_place(Render *render)
     const VoxelGrid *grid = &render->voxels.grid;
     if (!render->voxels.view.material.store)
         return;
-    pass_voxels_set(render, 0, &render->voxels.view);
+    screen_pass_sampler(&render->voxels.view, "voxel_slices", 0);
+    material_set_number(&render->voxels.view.material, "voxel_size", (float)grid->size);
     for (int i = 0; i < 4; i++) {
         float lanes[4] = {0};
         for (int k = 0; k < 3; k++)
@@ -48,7 +49,8 @@ void pass_cubes_place(Render *render)
 
 void pass_cubes_draw(Render *render)
 {
-    pass_voxels_bind(render, 0);
+    render->gl->ActiveTexture(GL_TEXTURE0);
+    render->gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels.map);
     screen_pass_run(&render->voxels.view, &render->draws[FRAME_DRAW_cubes], &render->screen);
 }
 

@@ -173,7 +173,7 @@ static void light_nodes(Render *render)
     for (int part = 0; part < shadow_parts_number(render); part++) {
         shadow_parts_load(render, part);
         lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
-        pass_voxels_bind(render, LIGHTING_FREE_UNIT);
+        voxel_bricks_bind(render, LIGHTING_FREE_UNIT);
         bind(render);
         material_use(&light->material);
         dispatch(render, render->radiance.count);
@@ -191,7 +191,7 @@ static void bounce_nodes(Render *render)
     pass_voxels_set(render, VOXEL_UNIT, bounce);
     radiance_set(render, RADIANCE_UNIT, bounce);
     material_set_number(&bounce->material, "bounce_far", (float)(radius / render->voxels.grid.edge));
-    pass_voxels_bind(render, VOXEL_UNIT);
+    voxel_bricks_bind(render, VOXEL_UNIT);
     radiance_bind(render, RADIANCE_UNIT);
     bind(render);
     for (int i = 1; i < render->scene->indirect.bounces; i++)

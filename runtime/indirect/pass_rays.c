@@ -122,7 +122,7 @@ static void run(Render *render, ScreenPass *pass)
     if (render->plan.there >> FRAME_TARGET_light & 1)
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_light, 0), LIGHT_UNIT);
     if (indirect_reads_voxels(render))
-        pass_voxels_bind(render, VOXEL_UNIT);
+        voxel_bricks_bind(render, VOXEL_UNIT);
     if (radiance_needed(render))
         radiance_bind(render, RADIANCE_UNIT);
     indirect_around_bind(render, SKY_UNIT);

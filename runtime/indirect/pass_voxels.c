@@ -39,42 +39,17 @@ static GLuint make_texture(Render *render, GLenum format, int layers, int levels
     return made;
 }
 
-/* What a level takes, in bytes. */
-static size_t level_bytes(const FrameVoxels *voxels, int level)
-{
-    const size_t edge = (size_t)voxels->grid.size >> level;
-    return edge * edge * (size_t)voxels->layers * 4 * sizeof(GLuint);
-}
-
-/* The map as one row of words: a look-up takes no sizes or places of levels, which cost more than the word where a processor draws. */
-static void make_words(Render *render)
-{
-    const GlContext *gl = render->gl;
-    FrameVoxels *voxels = &render->voxels;
-    size_t bytes = 0;
-    for (int level = 0; level < voxels->levels; level++)
-        bytes += level_bytes(voxels, level);
-    gl->GenBuffers(1, &voxels->buffer);
-    gl->BindBuffer(GL_TEXTURE_BUFFER, voxels->buffer);
-    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)bytes, NULL, GL_STATIC_COPY);
-    gl->GenTextures(1, &voxels->words);
-    gl->BindTexture(GL_TEXTURE_BUFFER, voxels->words);
-    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, voxels->buffer);
-    gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
-}
-
 static bool make_textures(Render *render)
 {
     FrameVoxels *voxels = &render->voxels;
     const int size = voxels->grid.size;
     voxels->layers = (size + LAYER - 1) / LAYER;
     voxels->levels = 1;
-    while (size >> voxels->levels > 0)
+    while (voxels_view_level(render->options.view) >= 0 && size >> voxels->levels > 0)
         voxels->levels++;
     voxels->within = make_texture(render, GL_RGBA32UI, voxels->layers, 1);
     voxels->surface = make_texture(render, GL_R32UI, size / WORD, 1);
     voxels->map = make_texture(render, GL_RGBA32UI, voxels->layers, voxels->levels);
-    make_words(render);
     render->gl->GenFramebuffers(1, &voxels->framebuffer);
     return gl_check(render->gl, "making room for voxels");
 }
@@ -115,7 +90,7 @@ bool pass_voxels_make(Render *render)
     voxels->grid = voxel_grid(render->scene, &render->cache);
     if (!voxel_bodies_measure(render, voxels) || !voxel_bodies_sort(render, voxels))
         return gl_fail(render->gl, "out of memory");
-    return make_textures(render) && make_programs(render);
+    return make_textures(render) && make_programs(render) && voxel_bricks_make(render);
 }
 
 /* -- drawing */
@@ -242,21 +217,6 @@ static void draw_levels(Render *render)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, voxels->levels - 1);
 }
 
-/* On the driver's side; the map stays bound. */
-static void copy_words(const Render *render)
-{
-    const GlContext *gl = render->gl;
-    const FrameVoxels *voxels = &render->voxels;
-    size_t at = 0;
-    bind(gl, voxels->map, 0);
-    gl->BindBuffer(GL_PIXEL_PACK_BUFFER, voxels->buffer);
-    for (int level = 0; level < voxels->levels; level++) {
-        gl->GetTexImage(GL_TEXTURE_2D_ARRAY, level, GL_RGBA_INTEGER, GL_UNSIGNED_INT, (void *)at);
-        at += level_bytes(voxels, level);
-    }
-    gl->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-}
-
 void pass_voxels_draw(Render *render)
 {
     const GlContext *gl = render->gl;
@@ -272,7 +232,7 @@ void pass_voxels_draw(Render *render)
     if (render->zero_to_one)
         gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     draw_levels(render);
-    copy_words(render);
+    voxel_bricks_draw(render);
     render->voxels.drawn = true;
 }
 
@@ -289,15 +249,9 @@ void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
     matrix[15] = 1;
     material_set_number(&pass->material, "voxel_off",
                         voxel_bodies_has(&render->voxels, &render->cache, 0) ? OFF_SURFACES : OFF_BODIES);
-    screen_pass_sampler(pass, "voxel_words", unit);
+    screen_pass_sampler(pass, "voxel_bricks", unit);
     material_set_number(&pass->material, "voxel_size", (float)grid->size);
     material_set(&pass->material, &(MaterialValue){"voxel_from_eye", 16, matrix});
-}
-
-void pass_voxels_bind(const Render *render, int unit)
-{
-    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    render->gl->BindTexture(GL_TEXTURE_BUFFER, render->voxels.words);
 }
 
 void pass_voxels_forget(Render *render)
@@ -326,12 +280,11 @@ void pass_voxels_delete(Render *render)
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++)
         if (materials[i]->store)
             material_delete(materials[i]);
+    voxel_bricks_delete(render);
     gl->DeleteFramebuffers(1, &voxels->framebuffer); /* GL ignores the name 0 */
     gl->DeleteTextures(1, &voxels->within);
     gl->DeleteTextures(1, &voxels->surface);
     gl->DeleteTextures(1, &voxels->map);
-    gl->DeleteTextures(1, &voxels->words);
-    gl->DeleteBuffers(1, &voxels->buffer);
     free(voxels->shapes);
     free(voxels->waves);
     *voxels = (FrameVoxels){.layers = 0};

@@ -1,4 +1,4 @@
-// The slice map's words, and a ray through it: where it crosses the planes between voxels. Places are in the grid's units: voxels, from the map's lowest corner.
+// The scene's voxels as rays read them, and a ray through them: where it crosses the planes between voxels. Places are in the grid's units: voxels, from the map's lowest corner.
 //
 // A ray is walked as if it went up along each axis: where it goes down, voxels are counted from the other end, and its place is turned. It is in voxel after voxel,
 // and which is next says one rule: of the planes that it has yet to cross, the one with the least t, and of several with the same t that across z before y before x. t of
@@ -11,7 +11,8 @@
 #else
 #define VOXEL_EXACT
 #endif
-uniform usamplerBuffer voxel_words; // of all levels, the lowest first: texels of a level as the map has them, four words each
+// Bricks of all levels: 4 x 4 x 4 voxels, 2^level wide, in 64 bits: bit x + 4 y + 16 z. The highest level is one brick, the buffer's first; each other has 8 times as many as the one above it.
+uniform usamplerBuffer voxel_bricks;
 #ifdef VOXEL_SIZE
 const int voxel_size = VOXEL_SIZE;
 #else
@@ -38,24 +39,29 @@ vec3 voxelStart(vec3 place, vec3 normal)
     return place + voxel_off * dot(abs(normal), vec3(1.0)) * normal;
 }
 
-// The word of a level that has a voxel: 32 along z; `at` is in columns of that level.
-uint voxelWord(ivec2 at, int z, int level)
+// The number of a level's brick. How many are in the levels above is a sum of powers of 8: as many bits as there are of these.
+int voxelBrickNumber(ivec3 at, int level)
 {
-    int edge = voxel_size >> level, layers = (voxel_size + 127) >> 7;
-    int below = int(uint(voxel_size * voxel_size - edge * edge) * 0xAAAAAAABu) * 4; // texels of a layer, 4/3 of the difference, as 1/3 is that modulo 2^32
-    return texelFetch(voxel_words, ((below * layers + (z >> 7) * edge * edge + at.y * edge + at.x) << 2) + (z >> 5 & 3)).x;
+    int edge = voxel_size >> (level + 2);
+    return ((edge * edge * edge - 1) & 0x49249249) + (at.z * edge + at.y) * edge + at.x;
 }
 
-bool voxelIsFull(ivec3 at, int level)
+uvec2 voxelBrick(int number)
 {
-    return (voxelWord(at.xy, at.z, level) >> uint(at.z & 31) & 1u) != 0u;
+    return texelFetch(voxel_bricks, number).xy;
+}
+
+bool voxelIsFull(ivec3 at)
+{
+    uvec2 brick = voxelBrick(voxelBrickNumber(at >> 2, 0));
+    return (((at.z & 2) != 0 ? brick.y : brick.x) >> uint((at.x & 3) | (at.y & 3) << 2 | (at.z & 1) << 4) & 1u) != 0u;
 }
 
 // A place is in a full voxel; outside of the map nothing is full.
 bool voxelAt(vec3 place)
 {
     if (!all(greaterThanEqual(place, vec3(0.0))) || !all(lessThan(place, vec3(voxel_size)))) return false;
-    return voxelIsFull(ivec3(place), 0);
+    return voxelIsFull(ivec3(place));
 }
 
 struct VoxelWay {

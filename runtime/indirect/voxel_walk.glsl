@@ -1,10 +1,16 @@
 // Walks through the slice map along a ray, voxel by voxel. Behind voxel_map.glsl.
+uniform usampler2DArray voxel_slices; // the map: a texel is 128 voxels along z
 struct VoxelHit {
     float way; // to where the ray enters the voxel, in multiples of its direction; less than 0: it meets none
     ivec3 at;
     int axis;  // of the face through which it enters: 0 to 2; 3: it begins there
     int steps; // voxels that were read
 };
+
+bool voxelSliceHas(ivec3 at, int level)
+{
+    return (texelFetch(voxel_slices, ivec3(at.xy, at.z >> 7), level)[at.z >> 5 & 3] >> uint(at.z & 31) & 1u) != 0u;
+}
 
 // From a place along a direction, at most so many times it. On a level above, voxels are 2^level wide along x and y. `own`: of a ray that begins in full voxels those
 // count only behind the first empty one.
@@ -18,7 +24,7 @@ VoxelHit voxelWalk(vec3 from, vec3 direction, float far, int level, bool own)
     float entered = 0.0;
     own = own && way.within;
     for (int steps = 1;; steps++) {
-        bool full = voxelIsFull(at ^ turn, level);
+        bool full = voxelSliceHas(at ^ turn, level);
         if (full && !own) return VoxelHit(min((way.begin + entered) / way.scale, far), at ^ turn, axis, steps);
         own = own && full;
         vec3 lengths = voxelCrossings(way, vec3((at + 1) << shift));

@@ -39,11 +39,16 @@ void pass_voxels_draw(Render *render);
 void pass_voxels_forget(Render *render);
 /* Objects have moved: they may be too far out, or too small, for the voxels that there are. */
 bool pass_voxels_change(Render *render);
-/* Tells a pass that has voxel_map.glsl in its text which unit the words are bound to, and where the eye is in them: when it is made, and when the camera or
- * objects have moved. Binds them to that unit: before each run. */
+/* Tells a pass that has voxel_map.glsl in its text which unit the bricks are bound to, and where the eye is in them: when it is made, and when the camera or
+ * objects have moved. */
 void pass_voxels_set(const Render *render, int unit, ScreenPass *pass);
-void pass_voxels_bind(const Render *render, int unit);
 void pass_voxels_delete(Render *render);
+
+/* voxel_bricks.c. What rays read: room for it, from the map, to a unit, before each run of a pass that reads it. */
+bool voxel_bricks_make(Render *render);
+void voxel_bricks_draw(Render *render);
+void voxel_bricks_bind(const Render *render, int unit);
+void voxel_bricks_delete(Render *render);
 
 /* Of a view "voxels", or "voxels1" and so on, of a level above; -1: it is another, or none. voxels.c */
 int voxels_view_level(const char *view);

@@ -115,6 +115,20 @@ static double map_time(const Place *p, int levels)
     return least;
 }
 
+/* The same as bricks, which rays read: of what the map takes. */
+static double bricks_time(const Place *p)
+{
+    double least = INFINITY;
+    for (int i = 0; i < FRAMES; i++) {
+        p->gl->Finish();
+        const double begin = bench_now();
+        voxel_bricks_draw(p->render);
+        p->gl->Finish();
+        least = fmin(least, bench_now() - begin);
+    }
+    return least;
+}
+
 /* Bodies are surfaces from now on. */
 static void make_surfaces(const Place *p)
 {
@@ -126,10 +140,10 @@ static void make_surfaces(const Place *p)
 static bool measure_maps(GlContext *gl, const Arguments *a)
 {
     static const int details[] = {264, 933};
-    printf("\nslice maps of %d voxels along an edge: least milliseconds, and what the levels above take more\n%-10s "
-           "%10s %10s %8s "
-           "%10s %10s\n",
-           a->size, "triangles", "bodies", "levels", "share", "surfaces", "levels");
+    printf("\nslice maps of %d voxels along an edge, with bricks: least milliseconds; what the levels above take more, "
+           "which "
+           "views show; of bricks alone\n%-10s %10s %10s %8s %10s %10s %10s\n",
+           a->size, "triangles", "bodies", "levels", "share", "surfaces", "levels", "bricks");
     for (int i = 0; i < (a->mesh ? 1 : 2); i++) {
         Place p;
         double times[4];
@@ -140,9 +154,9 @@ static bool measure_maps(GlContext *gl, const Arguments *a)
             if (k == 1)
                 make_surfaces(&p);
         }
-        printf("%-10d %10s %10s %7s%% %10s %10s\n", triangles_of(&p), NUMBER(2, times[0]),
+        printf("%-10d %10s %10s %7s%% %10s %10s %10s\n", triangles_of(&p), NUMBER(2, times[0]),
                NUMBER(2, times[1] - times[0]), NUMBER(1, 100 * (times[1] / times[0] - 1)), NUMBER(2, times[2]),
-               NUMBER(2, times[3] - times[2]));
+               NUMBER(2, times[3] - times[2]), NUMBER(2, a->timed ? 1e3 * bricks_time(&p) : NAN));
         close_place(&p);
     }
     return true;
@@ -212,7 +226,7 @@ static bool measure_rays(GlContext *gl, const Arguments *a)
 {
     static const struct {
         const char *name, *glsl[2];
-    } ways[] = {{"levels", {voxel_points_ray, NULL}},
+    } ways[] = {{"bricks", {voxel_points_ray, NULL}},
                 {"single voxels", {render_text_voxel_walk, by_walk}},
                 {"march, 32 steps", {render_text_voxel_march, by_march}}};
     const double rays = (double)WIDE * HIGH * ACROSS * ACROSS;
@@ -220,7 +234,7 @@ static bool measure_rays(GlContext *gl, const Arguments *a)
     VoxelPoints points = {.wide = 0};
     static float said[WIDE * HIGH][4];
     bool fine = open_place(gl, a, 264, &p) && make_points(&p, &points);
-    printf("\nrays of a quarter of the scene, %d voxels along an edge: words or voxels that one reads, share that "
+    printf("\nrays of a quarter of the scene, %d voxels along an edge: bricks or voxels that one reads, share that "
            "meets nothing, nanoseconds\n"
            "%-16s %8s %8s %8s\n",
            a->size, "by", "reads", "open", "ns");

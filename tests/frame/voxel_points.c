@@ -9,7 +9,7 @@ extern const char render_text_voxel_map[], render_text_voxel_ray[];
 const char voxel_points_ray[] = "bool pointRay(vec3 from, vec3 way, float far, out float count)\n{\n"
                                 "    VoxelMeeting meeting;\n"
                                 "    bool met = voxelMeets(from, way, far, meeting);\n"
-                                "    count = float(meeting.steps);\n    return met;\n}\n";
+                                "    count = float(meeting.bricks);\n    return met;\n}\n";
 
 static const char body[] =
     "uniform sampler2D points, directions;\nuniform float radius, off;\n"
@@ -114,7 +114,10 @@ void voxel_points_run(const Render *render, VoxelPointsPass *pass, float radius,
     for (int i = 0; i < 2; i++)
         texture_bind(render->gl, pass->textures[i], i);
     pass_voxels_set(render, 2, &pass->pass);
-    pass_voxels_bind(render, 2);
+    voxel_bricks_bind(render, 2);
+    screen_pass_sampler(&pass->pass, "voxel_slices", 3);
+    render->gl->ActiveTexture(GL_TEXTURE0 + 3);
+    render->gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels.map);
     material_set_number(&pass->pass.material, "off", off);
     material_set_number(&pass->pass.material, "radius", radius);
     screen_pass_run(&pass->pass, &pass->target, &render->screen);
