@@ -1,11 +1,12 @@
 /* True displacement: the program that shows it and its slopes, in double, against the oracle; and the bound that matc proves, against closed forms
- * and many points. Normals of displaced surfaces are test_equiv's and test_value's, by the examples. */
+ * and many points; normals on curved bases, against closed forms. Normals of displaced surfaces are test_equiv's and test_value's besides, by the examples. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/choice.h"
+#include "tests/value/curved.h"
 #include "tests/value/documents.h"
 #include "tests/value/evaluate.h"
 #include <math.h>
@@ -222,10 +223,65 @@ static void what_has_no_bound_is_said(void **state)
     }
 }
 
+/* How far the oracle's normals are off the closed form over a body, in degrees, at most; `stays`: normals of the base are said to stay as they are. */
+static double off_normals(Oracle *oracle, const Node *material, CurvedBody body, double scale, bool stays)
+{
+    enum { COUNT = 400 };
+    double most = 0;
+    for (int i = 0; i < COUNT; i++) {
+        Surface surface;
+        SlotValues values;
+        double want[3];
+        curved_surface(body, fmod(i * 0.61803398874989485, 1), (i + 0.5) / COUNT, &surface);
+        if (stays)
+            for (int lane = 0; lane < 3; lane++)
+                surface.normal_u[lane] = surface.normal_v[lane] = 0;
+        curved_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], stays, want);
+        assert_true(oracle_material(oracle, material, &surface, &values));
+        most = fmax(most, curved_angle(values.lane[SLOT_normal], want));
+    }
+    return most;
+}
+
+/* A ball and a torus that rise by up to a quarter of their radii. A ball that all moves by c along the circles of latitude is a larger one that was turned: its normal is n + c Tu/|Tu|. */
+static void normals_are_those_of_curved_surfaces(void **state)
+{
+    (void)state;
+    const double most = 1e-5; /* degrees: differences tell slopes */
+    Document d;
+    for (CurvedBody body = 0; body < CURVED_COUNT; body++) {
+        char text[200];
+        const double scale = curved_radius[body] / 4;
+        snprintf(text, sizeof text, "material: Phong\ndisplacement: " CURVED_HEIGHT "\ndisplacementScale: %g\n", scale);
+        assert_true(document_open_text(&d, text));
+        Oracle *oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
+        for (int stays = 0; stays < 2; stays++)
+            assert_true(off_normals(oracle, d.graph->materials[0].node, body, scale, stays) < most);
+        oracle_close(oracle);
+        document_close(&d);
+    }
+    assert_true(document_open_text(&d, "material: Phong\ndisplacementVector: [0.5, 0, 0]\n"));
+    Oracle *oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
+    for (int i = 0; i < 20; i++) {
+        Surface surface;
+        SlotValues values;
+        double want[3];
+        curved_surface(CURVED_ball, i / 20., 0.1 + i / 30., &surface);
+        const double *n = &surface.root[channel_id(GROUP_N, 0)], *tu = &surface.root[channel_id(GROUP_DU, 0)];
+        for (int lane = 0; lane < 3; lane++)
+            want[lane] = n[lane] + 0.5 * tu[lane] / size_of(tu);
+        assert_true(oracle_material(oracle, d.graph->materials[0].node, &surface, &values));
+        assert_true(curved_angle(values.lane[SLOT_normal], want) < most);
+    }
+    oracle_close(oracle);
+    document_close(&d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_and_slopes_are_the_oracles),
+        cmocka_unit_test(normals_are_those_of_curved_surfaces),
         cmocka_unit_test(no_point_moves_beyond_its_bound),
         cmocka_unit_test(what_has_no_bound_is_said),
     };

@@ -3,8 +3,10 @@
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_ray.h"
+#include "tests/value/curved.h"
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
 
@@ -126,6 +128,104 @@ static void light_is_that_of_the_oracle(void **state)
     gl_close(gl);
 }
 
+#ifdef MATC_ASSIMP
+/* The torus, in AROUND times TUBE parts. */
+static void write_torus(const char *path)
+{
+    enum { AROUND = 96, TUBE = 64 };
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file,
+            "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
+            "property float ny\nproperty float nz\nproperty float s\nproperty float t\nelement face %d\n"
+            "property list uchar int vertex_index\nend_header\n",
+            (AROUND + 1) * (TUBE + 1), AROUND * TUBE);
+    for (int i = 0; i < (AROUND + 1) * (TUBE + 1); i++) {
+        Surface surface;
+        const double u = i % (AROUND + 1) / (double)AROUND, v = i / (AROUND + 1) / (double)TUBE;
+        curved_surface(CURVED_torus, u, v, &surface);
+        const double *p = &surface.root[channel_id(GROUP_P, 0)], *n = &surface.root[channel_id(GROUP_N, 0)];
+        fprintf(file, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", p[0], p[1], p[2], n[0], n[1], n[2], u, v);
+    }
+    for (int i = 0; i < AROUND * TUBE; i++) {
+        const int at = i / AROUND * (AROUND + 1) + i % AROUND;
+        fprintf(file, "4 %d %d %d %d\n", at, at + 1, at + AROUND + 2, at + AROUND + 1);
+    }
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Degrees, in the root of the mean square, between a picture's normals and the closed form: [0] as it is, [1] as if normals of the base stayed as they are. Where a pixel's ray meets nothing else nearby. */
+static int judge_slopes(const Scene *scene, CurvedBody body, double scale, const float *normals, double off[2])
+{
+    Tracer tracer = reference_open(scene);
+    int count = 0;
+    off[0] = off[1] = 0;
+    for (int i = 0; i < PIXELS; i++) {
+        const Ray ray = reference_ray(scene, i % WIDTH + .5, i / WIDTH + .5);
+        const Hit hit = reference_hit(&tracer, &ray, 0);
+        if (hit.object < 0 || !is_plain(&tracer, i % WIDTH, i / WIDTH, &hit))
+            continue;
+        double shown[3];
+        for (int lane = 0; lane < 3; lane++) /* from eye space */
+            shown[lane] = normals[4 * i] * scene->camera.right[lane] + normals[4 * i + 1] * scene->camera.up[lane] + normals[4 * i + 2] * scene->camera.back[lane];
+        for (int stay = 0; stay < 2; stay++) {
+            double want[3];
+            curved_normal(body, scale, hit.local, stay, want);
+            const double angle = curved_angle(shown, want);
+            off[stay] += angle * angle;
+        }
+        count++;
+    }
+    reference_close(&tracer);
+    for (int stay = 0; stay < 2; stay++)
+        off[stay] = sqrt(off[stay] / count);
+    return count;
+}
+
+/* A ball and a torus that rise by up to a fifth of their radii, divided by the processor and by the driver, and traced: the processor's triangles say which point of the base a pixel sees. */
+static void normals_are_those_of_curved_surfaces(void **state)
+{
+    (void)state;
+    static const char *const ways[CURVED_COUNT][3] = {{"mesh"}, {"mesh", "grid", "traced"}};
+    char path[] = "/tmp/matc_torusXXXXXX.ply";
+    const int file = mkstemps(path, 4);
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    GlContext *gl = frame_context();
+    assert_true(file >= 0 && !close(file));
+    write_torus(path);
+    for (int i = 0; i < CURVED_COUNT * 3; i++) {
+        const CurvedBody body = (CurvedBody)(i / 3);
+        const double scale = curved_radius[body] / 5;
+        Scene *scenes[2]; /* what is drawn; what says where */
+        MatcDocument *documents[2];
+        double off[2];
+        for (int k = 0; ways[body][i % 3] && k < 2; k++) {
+            char text[1000];
+            snprintf(text, sizeof text,
+                     "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2.5], angle: 40 }\n"
+                     "materials: { risen: { material: Phong, displacementScale: %g, displacement: " CURVED_HEIGHT
+                     " } }\ndisplacement: { method: %s, level: 2 }\nobjects: [{ object: %s%s, material: risen }]\n",
+                     WIDTH, HEIGHT, scale, k ? "mesh" : ways[body][i % 3], body == CURVED_torus ? "Mesh, file: " : "Sphere, detail: 192",
+                     body == CURVED_torus ? path : "");
+            scenes[k] = frame_scene(text, &options, &documents[k]);
+        }
+        if (!ways[body][i % 3])
+            continue;
+        float *normals = frame_floats(gl, scenes[0], &(RenderOptions){.compile = &options, .view = "normal"});
+        const int count = judge_slopes(scenes[1], body, scale, normals, off);
+        print_message("%-6s %d pixels within %.3g degrees in the mean square; if normals stayed, %.3g\n", ways[body][i % 3], count, off[0], off[1]);
+        assert_true(count > 1500 && off[0] < 0.08 && off[1] > 8 * off[0]);
+        free(normals);
+        for (int k = 0; k < 2; k++)
+            frame_forget(scenes[k], documents[k]);
+    }
+    matc_layout_free(layout);
+    gl_close(gl);
+    assert_int_equal(unlink(path), 0);
+}
+#endif
+
 /* The floor under a displaced body is dark where rays to the light meet it, by maps, silhouettes and exactly. */
 static void shadows_are_those_of_the_displaced_shape(void **state)
 {
@@ -179,6 +279,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_shows_through_what_is_closed),
         cmocka_unit_test(light_is_that_of_the_oracle),
+#ifdef MATC_ASSIMP
+        cmocka_unit_test(normals_are_those_of_curved_surfaces),
+#endif
         cmocka_unit_test(shadows_are_those_of_the_displaced_shape),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

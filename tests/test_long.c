@@ -107,7 +107,7 @@ static void long_coordinates_have_the_oracles_values(void **state)
         if (!document_open_text(&d, documents[i]))
             fail_msg("%s%s", documents[i], document_fault(&d));
         Oracle *oracle = oracle_open(d.graph, &context);
-        points_hulls(oracle, d.graph->materials[0].node, &(PointSet){points, count, true, &reach_double}, hulls);
+        points_hulls(oracle, d.graph->materials[0].node, &(PointSet){points, count, true, &reach_double, false}, hulls);
         for (int level = 0; level <= 2; level += 2) {
             double worst = worst_of(&d, level, points, hulls, count);
             if (!(worst <= bound))

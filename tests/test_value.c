@@ -87,7 +87,7 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice 
     }
     oracle_derivatives(s->oracles[noise], derivatives);
     const bool steep = noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT;
-    const PointSet points = {w->run->points, POINT_COUNT, front, steep ? &reach_steep : &reach_float};
+    const PointSet points = {w->run->points, POINT_COUNT, front, steep ? &reach_steep : &reach_float, false};
     points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, &points, *hulls);
     return *hulls;
 }
@@ -102,7 +102,7 @@ static const Hull *sampled_hulls_of(Worker *w, Subject *s, bool front)
     if (!*sampled)
         abort();
     memcpy(*sampled, exact, POINT_COUNT * sizeof **sampled);
-    const PointSet points = {w->run->points, POINT_COUNT, front, &reach_float};
+    const PointSet points = {w->run->points, POINT_COUNT, front, &reach_float, false};
     sampler_widen(s->oracles[REFERENCE_LATTICE], s->document->graph, s->material, &points, *sampled);
     return *sampled;
 }

@@ -159,6 +159,8 @@ typedef struct {
 Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2]);
 /* n / |n|; 0 where that has no length. */
 Ref lower_unit(Lower *l, Ref n);
+/* How that changes where n does: by what of the change is across n, over |n|. n = (0, 0, 2) and a change of (1, 0, 1): (.5, 0, 0). */
+Ref lower_unit_slope(Lower *l, Ref n, Ref change);
 
 /* The parameters of a coat: of a Principled, or of a Layer. lower_coat.c */
 typedef struct {

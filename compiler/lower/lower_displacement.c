@@ -1,15 +1,18 @@
 /* True displacement: the vertex stages move a point, and the normal that is shaded is that of the surface which they approach.
  *
  *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n,  (x, y, z) the displacementVector, h the red of `displacement`, both times the scale
- *     N' = dP'/du x dP'/dv, with Tu, Tv and n taken to stay as they are around the point
+ *     N' = dP'/du x dP'/dv, in which n changes over the surface as the mesh's normals do, and Tu/|Tu| and Tv/|Tv| turn with it
  *
  * So the normal of a pixel has all of the slope, whatever the triangles carry of it: finer ones move the surface and never the shading.
  * A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0: dP'/du = (1, 0, 0.1), N' = (-0.1, 0, 1).
+ * A ball of radius r has dn/du = Tu/r, so with h = r / 4 a tangent is longer by a fourth, and leans by so much less: (1.25, 0, .1) along u, dv likewise,
+ * and N' = (-.125, 0, 1.5625), parallel to (-.08, 0, 1).
  * Maps read the surface as its mesh has it: a colour stays where it is, however far that moves.
  *
  * Or a volume stands in its place: along n it is solid from the red of displacementVolume to its green, and from blue to alpha; nothing of a pair whose second is no higher. Whoever makes its
  * triangles knows the normals of these, so that the fragment program has the mesh's. */
 #include "compiler/lower/relief.h"
+#include "compiler/lower/slope.h"
 
 /* Environments of their own in the memo: beyond all that filters make of others. */
 enum { ENV_DISPLACED = 16, ENV_VERTEX = 32 };
@@ -87,43 +90,73 @@ Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
 
 static Ref tangent(const Env *env, bool by_v) { return env->root[by_v ? GROUP_DV : GROUP_DU]; }
 
-/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv|: what of the tangent does not rise. */
-static Ref slid(Lower *l, const Env *env, Ref slope, bool by_v)
+/* A displacement with its slopes, and how the unit normal of the mesh changes by u and by v; 0: it does not. */
+typedef struct {
+    Ref by;
+    Slopes slopes, turns;
+} Carried;
+
+/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv| + z n_u: what of the tangent does not rise. */
+static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
     Ir *ir = l->ir;
-    if (ir_type(ir, slope) == TYPE_float)
-        return tangent(env, by_v);
+    const bool along_normal = ir_type(ir, m->by) == TYPE_float;
+    const Ref slope = by_v ? m->slopes.v : m->slopes.u, turn = by_v ? m->turns.v : m->turns.u;
+    Ref whole = tangent(env, by_v);
+    if (turn)
+        whole = build_add(ir, whole, build_mul(ir, turn, along_normal ? m->by : build_swizzle(ir, m->by, "z")));
+    if (along_normal)
+        return whole;
     Ref along_u = build_mul(ir, lower_unit(l, tangent(env, false)), build_swizzle(ir, slope, "x"));
     Ref along_v = build_mul(ir, lower_unit(l, tangent(env, true)), build_swizzle(ir, slope, "y"));
-    return build_add(ir, build_add(ir, tangent(env, by_v), along_u), along_v);
+    return build_add(ir, build_add(ir, whole, along_u), along_v);
 }
 
-static Ref rise(Lower *l, Ref slope)
+/* z_u - x n_u . Tu/|Tu| - y n_u . Tv/|Tv|: what moves along a tangent goes down where the surface bends down. */
+static Ref rise(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
-    return ir_type(l->ir, slope) == TYPE_float ? slope : build_swizzle(l->ir, slope, "z");
+    Ir *ir = l->ir;
+    const Ref slope = by_v ? m->slopes.v : m->slopes.u, turn = by_v ? m->turns.v : m->turns.u;
+    if (ir_type(ir, slope) == TYPE_float)
+        return slope;
+    Ref up = build_swizzle(ir, slope, "z");
+    for (int i = 0; i < 2 && turn; i++) {
+        Ref bends = build_dot(ir, turn, lower_unit(l, tangent(env, i)));
+        up = build_sub(ir, up, build_mul(ir, build_lane(ir, m->by, i), bends));
+    }
+    return up;
 }
 
-static Slopes slopes_of(Lower *l, const Node *displaced, const Env *env)
+/* The displacement and its slopes. */
+static Carried moved_of(Lower *l, const Node *displaced, const Env *env)
 {
     const Displacement d = graph_displacement(displaced);
     const Type type = d.volume->kind == VALUE_node ? TYPE_vec4 : d.vector->kind == VALUE_node ? TYPE_vec3 : TYPE_float;
     Env unseen = *env; /* a shape is the same for all who look at it; nothing but displacement is asked in this environment */
     unseen.seen = false;
     unseen.shape = true;
-    Slopes s = relief_slopes_of(l, lower_displacement, displaced, &unseen);
-    s.u = build_or_zero(l->ir, s.u, type);
-    s.v = build_or_zero(l->ir, s.v, type);
-    return s;
+    const Risen risen = relief_of(l, lower_displacement, displaced, &unseen);
+    const Ref by_u = build_or_zero(l->ir, risen.slopes.u, type), by_v = build_or_zero(l->ir, risen.slopes.v, type);
+    return (Carried){.by = risen.value, .slopes = {by_u, by_v}};
+}
+
+/* 0: it does not change. */
+static Ref turn_of(Lower *l, Ref normal, Direction direction)
+{
+    Ref change = slope_mesh_normal(l, normal, direction);
+    return change ? lower_unit_slope(l, normal, change) : 0;
 }
 
 Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env)
 {
     Ir *ir = l->ir;
-    const Slopes s = slopes_of(l, displaced, env);
-    const Ref up_u = rise(l, s.u), up_v = rise(l, s.v), up[2] = {up_u, up_v};
-    Frame f = {.tu = slid(l, env, s.u, false)};
+    Carried m = moved_of(l, displaced, env);
+    m.turns.u = turn_of(l, env->root[GROUP_N], DIRECTION_u);
+    m.turns.v = turn_of(l, env->root[GROUP_N], DIRECTION_v);
+    const Ref up_u = rise(l, env, &m, false), up_v = rise(l, env, &m, true), up[2] = {up_u, up_v};
+    Frame f = {.tu = slid(l, env, &m, false)};
     Env moved = *env;
-    f.tv = slid(l, env, s.v, true);
+    f.tv = slid(l, env, &m, true);
     f.unit = lower_unit(l, env->root[GROUP_N]);
     f.flat = build_cross(ir, tangent(env, false), tangent(env, true));
     moved.number += ENV_DISPLACED;
@@ -154,7 +187,7 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
     Env shape = *env; /* as its slopes have it */
     shape.shape = true;
     if (displaced)
-        s = slopes_of(l, displaced, env);
+        s = moved_of(l, displaced, env).slopes;
     put(l, 0, displaced ? lower_displacement(l, displaced, &shape) : none);
     put(l, 1, s.u);
     put(l, 2, s.v);

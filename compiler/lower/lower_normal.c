@@ -9,6 +9,15 @@ Ref lower_unit(Lower *l, Ref n)
     return build_mul(ir, n, build_div(ir, build_float(ir, 1), size));
 }
 
+Ref lower_unit_slope(Lower *l, Ref n, Ref change)
+{
+    Ir *ir = l->ir;
+    const double least = 1e-30;
+    Ref unit = lower_unit(l, n), size = build_max(ir, build_length(ir, n), build_float(ir, least));
+    Ref across = build_sub(ir, change, build_mul(ir, unit, build_dot(ir, unit, change)));
+    return build_mul(ir, across, build_div(ir, build_float(ir, 1), size));
+}
+
 static Frame input_frame(Lower *l, const Node *input, const Env *env)
 {
     Ref n = lower_ask(l, input, GROUP_N, env);

@@ -67,11 +67,11 @@ static Ref red(Lower *l, const Node *map, const Env *env)
     return build_swizzle(l->ir, lower_ask(l, map, GROUP_R, env), "x");
 }
 
-static Slopes computed(Lower *l, ReliefValue *make, const Node *what, const Env *env)
+static Risen computed(Lower *l, ReliefValue *make, const Node *what, const Env *env)
 {
     Ref value = make(l, what, env);
     Ref by_u = slope_of(l, value, DIRECTION_u), by_v = slope_of(l, value, DIRECTION_v);
-    return (Slopes){by_u, by_v};
+    return (Risen){value, {by_u, by_v}};
 }
 
 static Manner manner(Lower *l, bool relief, Manner now)
@@ -93,14 +93,14 @@ Answer relief_smooth(Lower *l, const Node *map, Group group, const Env *env)
     return answer;
 }
 
-static Slopes stepped(Lower *l, ReliefValue *make, const Node *what, const Env *env)
+static Risen stepped(Lower *l, ReliefValue *make, const Node *what, const Env *env)
 {
     Env inside = *env;
     inside.relief = true;
     l->outside = manner(l, true, (Manner){false, NULL});
-    Slopes slopes = computed(l, make, what, &inside);
+    const Risen risen = computed(l, make, what, &inside);
     manner(l, false, l->outside);
-    return slopes;
+    return risen;
 }
 
 /* What the map answers for a derivative channel; 0: it is a constant 0. */
@@ -117,7 +117,7 @@ static Slopes channels(Lower *l, const Node *displacement, const Env *env)
     return (Slopes){by_u, by_v};
 }
 
-Slopes relief_slopes_of(Lower *l, ReliefValue *make, const Node *what, const Env *env)
+Risen relief_of(Lower *l, ReliefValue *make, const Node *what, const Env *env)
 {
     return l->job->choice[AXIS_derivatives] == CHOICE_derivatives_analytic ? computed(l, make, what, env)
                                                                            : stepped(l, make, what, env);
@@ -129,8 +129,8 @@ Slopes relief_slopes(Lower *l, const Node *bump, const Env *env)
     const Node *displacement = lower_param_node(bump, P_BumpMap_displacement);
     const Choice how = (Choice)l->job->choice[AXIS_derivatives];
     Slopes slopes = how == CHOICE_derivatives_finite     ? channels(l, displacement, env)
-                    : how == CHOICE_derivatives_analytic ? computed(l, red, displacement, env)
-                                                         : stepped(l, red, displacement, env);
+                    : how == CHOICE_derivatives_analytic ? computed(l, red, displacement, env).slopes
+                                                         : stepped(l, red, displacement, env).slopes;
     lower_note_relief(l, displacement, slopes.u, slopes.v);
     slopes.u = build_or_zero(ir, slopes.u, TYPE_float);
     slopes.v = build_or_zero(ir, slopes.v, TYPE_float);

@@ -7,10 +7,14 @@
  * there are none. */
 Slopes relief_slopes(Lower *l, const Node *bump, const Env *env);
 
-/* The derivatives by u and v of a value that `make` makes of `what` in an environment, by the same choice, in which `finite` counts as
+/* A value that `make` makes of `what` in an environment, and its derivatives by u and v, by the same choice, in which `finite` counts as
  * `auto`: of true displacement there is none of GroIMP's. 0 where there are none. */
 typedef Ref ReliefValue(Lower *l, const Node *what, const Env *env);
-Slopes relief_slopes_of(Lower *l, ReliefValue *make, const Node *what, const Env *env);
+typedef struct {
+    Ref value;
+    Slopes slopes;
+} Risen;
+Risen relief_of(Lower *l, ReliefValue *make, const Node *what, const Env *env);
 
 /* In a displacement, where nothing from a map down jumps or is a picture: its answer as outside, which is the same node. */
 Answer relief_smooth(Lower *l, const Node *map, Group group, const Env *env);

@@ -14,6 +14,8 @@ void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
 
 /* Of an attribute of the mesh. slope_attribute.c */
 Ref slope_attribute(Lower *l, Ref ref, Direction direction);
+/* Of the normal as the mesh has it, by u or by v; 0: it is the same all over, as a plane's. What maps make of a normal has no such slope. */
+Ref slope_mesh_normal(Lower *l, Ref normal, Direction direction);
 
 /* Values whose derivative is a sum of others', each by a factor. slope_sum.c */
 typedef struct {

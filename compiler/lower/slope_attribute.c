@@ -1,4 +1,4 @@
-/* Attributes of the mesh by the surface's u and v. Over a triangle an attribute a is linear, and so are u and v: with its changes to the next pixels and theirs,
+/* Attributes of the mesh, and its normal, by the surface's u and v. Over a triangle an attribute a is linear, and so are u and v: with its changes to the next pixels and theirs,
  * a_x = a_u u_x + a_v v_x and a_y = a_u u_y + a_v v_y. By Cramer's rule a_u = (a_x v_y - a_y v_x) / d and a_v = (a_y u_x - a_x u_y) / d of d = u_x v_y - u_y v_x; 0
  * where that is.
  *
@@ -12,12 +12,12 @@ static Ref by_surface(Ir *ir, Ref ax, Ref ay, bool by_v)
     Ref x = build_input(ir, INPUT_UX), ux = build_swizzle(ir, x, "x"), vx = build_swizzle(ir, x, "y");
     Ref y = build_input(ir, INPUT_UY), uy = build_swizzle(ir, y, "x"), vy = build_swizzle(ir, y, "y");
     Ref p = build_mul(ir, ux, vy), q = build_mul(ir, uy, vx), d = build_sub(ir, p, q), size = build_abs(ir, d);
-    Ref none = build_lt(ir, size, build_float(ir, least));
+    Ref none = build_lt(ir, size, build_float(ir, least)), one = build_float(ir, 1);
+    Ref over = build_div(ir, one, build_select(ir, none, one, d));
+    over = build_select(ir, none, build_float(ir, 0), over);
     p = build_mul(ir, by_v ? ay : ax, by_v ? ux : vy);
     q = build_mul(ir, by_v ? ax : ay, by_v ? uy : vx);
-    d = build_select(ir, none, build_float(ir, 1), d);
-    Ref slope = build_div(ir, build_sub(ir, p, q), d);
-    return build_select(ir, none, build_all(ir, ir_type(ir, slope), 0), slope);
+    return build_mul(ir, build_sub(ir, p, q), over);
 }
 
 Ref slope_attribute(Lower *l, Ref ref, Direction direction)
@@ -30,4 +30,13 @@ Ref slope_attribute(Lower *l, Ref ref, Direction direction)
     if (direction == DIRECTION_right || direction == DIRECTION_up)
         return direction == DIRECTION_right ? ax : ay;
     return by_surface(l->ir, ax, ay, direction == DIRECTION_v);
+}
+
+Ref slope_mesh_normal(Lower *l, Ref normal, Direction direction)
+{
+    Ir *ir = l->ir;
+    if (!ir_is(ir, normal, OP_input) || ir_at(ir, normal)->payload != INPUT_N)
+        return 0;
+    Ref by_x = build_input(ir, INPUT_NX), by_y = build_input(ir, INPUT_NY);
+    return by_surface(ir, by_x, by_y, direction == DIRECTION_v);
 }

@@ -70,25 +70,42 @@ static void cross(const double a[3], const double b[3], double result[3])
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+/* How n / |n| changes where n changes by so much. */
+static void turn_of(const double n[3], const double change[3], double turn[3])
+{
+    const double size = length(n), along = dot(n, change) / (size * size);
+    for (int i = 0; i < 3; i++)
+        turn[i] = (change[i] - along * n[i]) / size;
+}
+
+/* A tangent that moves along itself by x and along its other by y goes down where the normal turns toward them. */
+static double falls(const OracleDisplacement *d, const double turn[3], const double tu[3], const double tv[3])
+{
+    return d->by[0] * dot(turn, tu) / length(tu) + d->by[1] * dot(turn, tv) / length(tv);
+}
+
 void oracle_displace(Environment *environment, const Node *displaced, Surface *surface)
 {
     OracleDisplacement d;
     oracle_move(environment, displaced, &d);
     double *n = &surface->root[channel_id(GROUP_N, 0)], *tu = &surface->root[channel_id(GROUP_DU, 0)],
            *tv = &surface->root[channel_id(GROUP_DV, 0)];
-    double slid_u[3], slid_v[3], flat[3], across[3], lifted[3], mesh[3];
+    double slid_u[3], slid_v[3], flat[3], across[3], lifted[3], mesh[3], turn_u[3], turn_v[3];
     const double size_n = length(n), size_u = length(tu), size_v = length(tv);
     cross(tu, tv, mesh);
     const double side = dot(mesh, n) < 0 ? -1 : 1;
+    turn_of(n, surface->normal_u, turn_u);
+    turn_of(n, surface->normal_v, turn_v);
+    const double up_u = d.by_u[ALONG_N] - falls(&d, turn_u, tu, tv), up_v = d.by_v[ALONG_N] - falls(&d, turn_v, tu, tv);
     for (int i = 0; i < 3; i++) {
-        slid_u[i] = tu[i] + d.by_u[0] * tu[i] / size_u + d.by_u[1] * tv[i] / size_v;
-        slid_v[i] = tv[i] + d.by_v[0] * tu[i] / size_u + d.by_v[1] * tv[i] / size_v;
+        slid_u[i] = tu[i] + d.by_u[0] * tu[i] / size_u + d.by_u[1] * tv[i] / size_v + d.by[ALONG_N] * turn_u[i];
+        slid_v[i] = tv[i] + d.by_v[0] * tu[i] / size_u + d.by_v[1] * tv[i] / size_v + d.by[ALONG_N] * turn_v[i];
     }
     for (int i = 0; i < 3; i++) {
         const double unit = n[i] / size_n;
-        across[i] = d.by_u[ALONG_N] * slid_v[i] - d.by_v[ALONG_N] * slid_u[i];
-        tu[i] = slid_u[i] + d.by_u[ALONG_N] * unit;
-        tv[i] = slid_v[i] + d.by_v[ALONG_N] * unit;
+        across[i] = up_u * slid_v[i] - up_v * slid_u[i];
+        tu[i] = slid_u[i] + up_u * unit;
+        tv[i] = slid_v[i] + up_v * unit;
     }
     cross(slid_u, slid_v, flat);
     cross(n, across, lifted);

@@ -298,6 +298,13 @@ static bool measure_silhouettes(GlContext *gl, const Arguments *a)
     return displacement_silhouettes(gl);
 }
 
+static bool measure_slopes(GlContext *gl, const Arguments *a)
+{
+    (void)gl;
+    (void)a;
+    return displacement_slopes();
+}
+
 /* -- the command */
 
 static const struct {
@@ -309,6 +316,7 @@ static const struct {
               {"programs", measure_programs, false},
               {"bisection", measure_bisection, true},
               {"silhouettes", measure_silhouettes, true},
+              {"slopes", measure_slopes, true},
               {"table", measure_table, true}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
@@ -335,7 +343,7 @@ int bench_displacement(int argc, char **argv)
     for (int i = 1; i < argc; i++)
         if (!read_argument(argv[i], &a)) {
             fputs("usage: matbench displacement [--untimed] [--gl=osmesa|egl] [--map=FILE] [--triangles=N] [error] "
-                  "[speed] [programs] [bisection] [silhouettes] [table]\n",
+                  "[speed] [programs] [bisection] [silhouettes] [slopes] [table]\n",
                   stderr);
             return 2;
         }

@@ -9,4 +9,5 @@ bool displacement_programs(GlContext *gl, bool timed, int triangles);
 bool displacement_table(GlContext *gl, bool timed, int most);
 bool displacement_bisection(GlContext *gl, bool timed, int triangles);
 bool displacement_silhouettes(GlContext *gl);
+bool displacement_slopes(void);
 #endif

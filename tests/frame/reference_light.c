@@ -18,6 +18,8 @@ static Surface reference_surface(const Hit *hit)
         surface.root[channel_id(GROUP_U, i)] = i < 2 ? hit->uv[i] : 0;
         surface.local_u[i] = hit->local_tangents[0][i];
         surface.local_v[i] = hit->local_tangents[1][i];
+        surface.normal_u[i] = hit->normal_slopes[0][i];
+        surface.normal_v[i] = hit->normal_slopes[1][i];
     }
     return surface;
 }

@@ -52,6 +52,30 @@ static double reference_base(const Shape *shape, const ShapeVertex *corner[3], c
     return value[0] + st[0] * (value[1] - value[0]) + st[1] * (value[2] - value[0]);
 }
 
+/* Along the triangle's sides a normal n changes by n_s and n_t, u and v by theirs: n_u = (n_s v_t - n_t v_s) / (u_s v_t - u_t v_s), n_v likewise. Its image has the slopes of a vector of length 1. */
+static void reference_bend(const SceneObject *object, const ShapeVertex *corner[3], const double normal[3], double slopes[2][3])
+{
+    double n[2][3], uv[2][2], whole[3];
+    for (int side = 0; side < 2; side++) {
+        for (int i = 0; i < 3; i++)
+            n[side][i] = (double)corner[side + 1]->normal[i] - (double)corner[0]->normal[i];
+        for (int i = 0; i < 2; i++)
+            uv[side][i] = (double)corner[side + 1]->uv[i] - (double)corner[0]->uv[i];
+    }
+    const double d = uv[0][0] * uv[1][1] - uv[1][0] * uv[0][1];
+    reference_across(&object->world_from_local, normal, whole);
+    const double square = reference_dot(whole, whole);
+    for (int by = 0; by < 2; by++) {
+        double local[3], world[3];
+        for (int i = 0; i < 3; i++)
+            local[i] = d == 0 ? 0 : (n[by][i] * uv[!by][!by] - n[!by][i] * uv[by][!by]) / d;
+        reference_across(&object->world_from_local, local, world);
+        const double along = reference_dot(world, whole) / square;
+        for (int i = 0; i < 3; i++)
+            slopes[by][i] = (world[i] - along * whole[i]) / sqrt(square);
+    }
+}
+
 static void reference_fill(const SceneObject *object, const Shape *shape, const ShapeVertex *corner[3], const double st[2], Hit *hit)
 {
     double normal[3], position[3], (*tangent)[3] = hit->local_tangents;
@@ -69,6 +93,7 @@ static void reference_fill(const SceneObject *object, const Shape *shape, const 
     reference_image(&object->world_from_local, position, 1, hit->world);
     reference_image(&object->world_from_local, hit->local, 1, hit->base);
     reference_normal(&object->world_from_local, normal, hit->normal);
+    reference_bend(object, corner, normal, hit->normal_slopes);
 }
 
 /* The point on a triangle; `way` was not normalised, so that the distance is the same in both spaces. */
@@ -114,6 +139,7 @@ void reference_plane(const SceneObject *object, const Ray *world, double behind,
     reference_image(&object->world_from_local, hit->local, 1, hit->world);
     memcpy(hit->base, hit->world, sizeof hit->base);
     reference_normal(&object->world_from_local, z, hit->normal);
+    memset(hit->normal_slopes, 0, sizeof hit->normal_slopes);
     memcpy(hit->facet, hit->normal, sizeof hit->facet);
 }
 

@@ -39,7 +39,7 @@ void reference_preimage(const SceneMatrix *m, const double v[3], double w, doubl
 }
 
 /* The inverse's transpose, up to length: its columns are cross products of the matrix's. */
-void reference_normal(const SceneMatrix *m, const double n[3], double out[3])
+void reference_across(const SceneMatrix *m, const double n[3], double out[3])
 {
     const double *c[3] = {m->m, m->m + 4, m->m + 8};
     double cross[3], determinant[3];
@@ -51,5 +51,10 @@ void reference_normal(const SceneMatrix *m, const double n[3], double out[3])
         for (int lane = 0; lane < 3; lane++)
             out[lane] += sign * n[i] * cross[lane];
     }
+}
+
+void reference_normal(const SceneMatrix *m, const double n[3], double out[3])
+{
+    reference_across(m, n, out);
     reference_normalize(out);
 }

@@ -4,6 +4,7 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
@@ -57,14 +58,27 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displacementBound.yaml:5 Wood
     vec4 wood2 = woodGradient(localPosition * 0.3);
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
-    float normal_3 = step(-0.4, wood2.w);
-    float normal_4 = step(wood2.w, 0.4);
-    vec3 normal_5 = dot(wood2.xyz, localTangentU * 0.3) * normal_4 * normal_3 * worldTangentV - dot(wood2.xyz, localTangentV * 0.3) * normal_4 * normal_3 * worldTangentU;
-    vec3 normal_6 = cross(normal_1, normal_5) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_6 : normal_6)) * (gl_FrontFacing ? 1.0 : -1.0);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
+    float normal_8 = clamp(wood2.w, -0.4, 0.4);
+    float normal_9 = step(-0.4, wood2.w);
+    float normal_10 = step(wood2.w, 0.4);
+    vec3 normal_11 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_12 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    vec3 normal_13 = dot(wood2.xyz, localTangentU * 0.3) * normal_10 * normal_9 * normal_12 - dot(wood2.xyz, localTangentV * 0.3) * normal_10 * normal_9 * normal_11;
+    vec3 normal_14 = cross(normal_6, normal_13) + cross(normal_11, normal_12);
+    vec3 normal_15 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_14 : normal_14));
+    vec3 normal = normal_15 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }

@@ -4,18 +4,13 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
 uniform float swell;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
-
-// sin(x / 2) / (x / 2), x not negative: what is left of a sine over a box of edge x. Error 2e-7.
-float sincMean(float x) {
-    float h = 0.5 * x;
-    return h < 1.0e-2 ? 1.0 - h * h * (1.0 / 6.0) : sin(h) / max(h, 1.0e-2);
-}
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
@@ -55,23 +50,29 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    vec3 localPositionByX = dFdx(localPosition);
-    vec3 localPositionByY = dFdy(localPosition);
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displacementBound.yaml:9 Gradient
     float gradient_1 = dot(localPosition, vec3(3.0, 0.0, 1.0));
-    float gradient_2 = dot(localPositionByX, vec3(3.0, 0.0, 1.0));
-    float gradient_3 = dot(localPositionByY, vec3(3.0, 0.0, 1.0));
-    float gradient_4 = cos(gradient_1);
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
-    float gradient_5 = sincMean(sqrt(gradient_3 * gradient_3 + gradient_2 * gradient_2));
-    float gradient = gradient_5 * sin(gradient_1);
-    float normal_3 = gradient * swell;
-    float normal_4 = step(-0.25, normal_3);
-    float normal_5 = step(normal_3, 0.25);
-    vec3 normal_6 = normal_5 * (gradient_5 * (gradient_4 * dot(localTangentU, vec3(3.0, 0.0, 1.0))) * swell) * normal_4 * worldTangentV;
-    vec3 normal_7 = dot(localTangentV, vec3(3.0, 0.0, 1.0)) * gradient_4 * gradient_5 * swell * normal_5 * normal_4 * worldTangentU;
-    vec3 normal_8 = cross(normal_1, normal_6 - normal_7) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_8 : normal_8)) * (gl_FrontFacing ? 1.0 : -1.0);
+    float gradient_2 = cos(gradient_1);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
+    float normal_8 = swell * sin(gradient_1);
+    float normal_9 = clamp(normal_8, -0.25, 0.25);
+    float normal_10 = step(-0.25, normal_8);
+    float normal_11 = step(normal_8, 0.25);
+    vec3 normal_12 = normal_9 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_13 = normal_9 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    vec3 normal_14 = normal_13 * (normal_11 * (gradient_2 * dot(localTangentU, vec3(3.0, 0.0, 1.0)) * swell) * normal_10) - normal_12 * (dot(localTangentV, vec3(3.0, 0.0, 1.0)) * gradient_2 * swell * normal_11 * normal_10);
+    vec3 normal_15 = cross(normal_6, normal_14) + cross(normal_12, normal_13);
+    vec3 normal_16 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_15 : normal_15));
+    vec3 normal = normal_16 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }

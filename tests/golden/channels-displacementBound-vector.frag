@@ -4,6 +4,8 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
+uniform vec3 lean;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
 
@@ -45,8 +47,31 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    vec3 normal_1 = cross(worldTangentU, worldTangentV);
-    vec3 normal_2 = dot(normal_1, 1.0 / max(length(worldNormal), 1e-30) * worldNormal) < 0.0 ? -normal_1 : normal_1;
-    vec3 normal = safeNormalize(eyeFromWorld(normal_2)) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5;
+    vec3 normal_8 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
+    vec3 normal_9 = (normal_8 - dot(normal_6, normal_8) * normal_6) * normal_5;
+    vec3 normal_10 = 1.0 / max(length(worldTangentU), 1e-30) * worldTangentU;
+    vec3 normal_11 = 1.0 / max(length(worldTangentV), 1e-30) * worldTangentV;
+    float transparency = min(0.45 / max(dot(abs(lean), vec3(1.0)), 1e-30), 1.0);
+    float normal_12 = lean.x * transparency;
+    float normal_13 = lean.y * transparency;
+    float normal_14 = lean.z * transparency;
+    vec3 normal_15 = normal_14 * normal_7 + worldTangentU;
+    vec3 normal_16 = normal_14 * normal_9 + worldTangentV;
+    vec3 normal_17 = normal_16 * (-(normal_12 * dot(normal_7, normal_10)) - normal_13 * dot(normal_7, normal_11));
+    vec3 normal_18 = normal_15 * (-(normal_12 * dot(normal_9, normal_10)) - normal_13 * dot(normal_9, normal_11));
+    vec3 normal_19 = cross(normal_6, normal_17 - normal_18) + cross(normal_15, normal_16);
+    vec3 normal_20 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_19 : normal_19));
+    vec3 normal = normal_20 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }

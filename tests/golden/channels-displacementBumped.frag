@@ -5,6 +5,7 @@ in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
@@ -183,28 +184,42 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displacementBumped.yaml:4 Gradient
-    float gradient = dot(localPositionByX, vec3(3.0, 0.0, 1.0));
-    float gradient_2 = dot(localPositionByY, vec3(3.0, 0.0, 1.0));
-    float gradient_3 = cos(dot(localPosition, vec3(3.0, 0.0, 1.0)));
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
+    float gradient_1 = dot(localPosition, vec3(3.0, 0.0, 1.0));
+    float gradient_2 = dot(localPositionByX, vec3(3.0, 0.0, 1.0));
+    float gradient_3 = dot(localPositionByY, vec3(3.0, 0.0, 1.0));
+    float gradient_4 = cos(gradient_1);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
     // displacementBumped.yaml:3 grain
     vec4 grain = graniteGradient(worldPosition * 2.0, vec3(0.0), 0.0);
-    float gradient_4 = sincMean(sqrt(gradient_2 * gradient_2 + gradient * gradient));
-    float normal_3 = gradient_4 * (gradient_3 * dot(localTangentU, vec3(3.0, 0.0, 1.0))) * 0.1;
-    vec3 normal_4 = normal_3 * normal_1 + worldTangentU;
+    float gradient_5 = sincMean(sqrt(gradient_3 * gradient_3 + gradient_2 * gradient_2));
+    float gradient = gradient_5 * sin(gradient_1);
+    float normal_8 = gradient * 0.1;
+    float normal_9 = gradient_5 * (gradient_4 * dot(localTangentU, vec3(3.0, 0.0, 1.0))) * 0.1;
+    vec3 normal_10 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_11 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    vec3 normal_12 = normal_9 * normal_6 + normal_10;
     uint diffuse_bits = rootBits(grain.w, 8);
-    float normal_5 = dot(localTangentV, vec3(3.0, 0.0, 1.0)) * gradient_3 * gradient_4 * 0.1;
-    vec3 normal_6 = cross(normal_1, normal_3 * worldTangentV - normal_5 * worldTangentU) + normal_2;
-    vec3 normal_7 = dot(normal_2, normal_1) < 0.0 ? -normal_6 : normal_6;
-    vec3 normal_8 = normal_5 * normal_1 + worldTangentV;
+    float normal_13 = dot(localTangentV, vec3(3.0, 0.0, 1.0)) * gradient_4 * gradient_5 * 0.1;
+    vec3 normal_14 = cross(normal_6, normal_11 * normal_9 - normal_13 * normal_10) + cross(normal_10, normal_11);
+    vec3 normal_15 = dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_14 : normal_14;
+    vec3 normal_16 = normal_13 * normal_6 + normal_11;
     // displacementBumped.yaml:6 BumpMap
-    vec3 bumpMap_1 = 1.0 / max(length(normal_7), 1e-30) * normal_7;
-    vec3 bumpMap_2 = cross(normal_4, normal_8);
-    vec3 bumpMap_3 = normal_8 * (dot(grain.xyz, worldTangentU * 2.0) * 0.04) - dot(grain.xyz, worldTangentV * 2.0) * 0.04 * normal_4;
+    vec3 bumpMap_1 = 1.0 / max(length(normal_15), 1e-30) * normal_15;
+    vec3 bumpMap_2 = cross(normal_12, normal_16);
+    vec3 bumpMap_3 = normal_16 * (dot(grain.xyz, worldTangentU * 2.0) * 0.04) - dot(grain.xyz, worldTangentV * 2.0) * 0.04 * normal_12;
     vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);

@@ -124,19 +124,30 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displacementPicture.yaml:5 UVTransform
     vec2 diffuse_uvTransform = uv * vec2(2.0);
     // displacementPicture.yaml:5 ImageMap
     vec2 diffuse_image = pictureSize(imageTexture0);
     vec4 diffuse_image_2 = imageSampled(imageTexture0, diffuse_uvTransform, diffuse_image);
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
     uint surface_bits = rootBits(diffuse_image_2.x, 8) | rootBits(diffuse_image_2.y, 8) << 8 | rootBits(diffuse_image_2.z, 8) << 16;
+    float normal_8 = diffuse_image_2.x * -0.1;
+    vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
     // displacementPicture.yaml:3 ImageMap
     vec2 image = vec2((imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + diffuse_uvTransform, diffuse_image).x - diffuse_image_2.x) * diffuse_image.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + diffuse_uvTransform, diffuse_image).x - diffuse_image_2.x) * diffuse_image.y);
     vec2 image_2 = imageRiseNear(imageTexture0, diffuse_uvTransform, diffuse_image, 0, uvByX * vec2(2.0), uvByY * vec2(2.0), image);
-    vec3 normal_3 = image_2.x * 2.0 * -0.1 * worldTangentV - image_2.y * 2.0 * -0.1 * worldTangentU;
-    vec3 normal_4 = cross(normal_1, normal_3) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_4 : normal_4)) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal_11 = image_2.x * 2.0 * -0.1 * normal_10 - image_2.y * 2.0 * -0.1 * normal_9;
+    vec3 normal_12 = cross(normal_6, normal_11) + cross(normal_9, normal_10);
+    vec3 normal_13 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_12 : normal_12));
+    vec3 normal = normal_13 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

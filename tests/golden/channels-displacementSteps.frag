@@ -20,6 +20,12 @@ vec4 woodGradient(vec3 p) {
     return vec4(unit / max(size, 1.0), 0.0, greater * size);
 }
 
+// sin(x / 2) / (x / 2), x not negative: what is left of a sine over a box of edge x. Error 2e-7.
+float sincMean(float x) {
+    float h = 0.5 * x;
+    return h < 1.0e-2 ? 1.0 - h * h * (1.0 / 6.0) : sin(h) / max(h, 1.0e-2);
+}
+
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -58,12 +64,27 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 localPositionByX = dFdx(localPosition);
+    vec3 localPositionByY = dFdy(localPosition);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displacementSteps.yaml:5 Wood
     vec4 wood2_1 = woodGradient(localPosition);
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
-    float wood2_2 = fract(wood2_1.w * 3.0) * 6.2831855;
-    float wood2_3 = cos(wood2_2);
+    float wood2_2 = dot(wood2_1.xyz, localPositionByX) * 3.0;
+    float wood2_3 = dot(wood2_1.xyz, localPositionByY) * 3.0;
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
+    float wood2_4 = sincMean(sqrt(wood2_3 * wood2_3 + wood2_2 * wood2_2) * 6.2831855);
+    float wood2_5 = fract(wood2_1.w * 3.0) * 6.2831855;
+    float wood2_6 = cos(wood2_5);
+    float wood2 = sin(wood2_5) * wood2_4;
     // displacementSteps.yaml:6 Checker
     vec2 checker = fract(uv * vec2(4.0));
     bool checker_2 = (0.5 <= checker.x) != (0.5 <= checker.y);
@@ -72,11 +93,15 @@ void main() {
     vec2 checker_5 = fract(checker + vec2(0.0, 0.05));
     float checker_6 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
     float checker_7 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
+    float normal_8 = (checker_2 ? wood2 : 0.1) * 0.2;
     // displacementSteps.yaml:4 Blend
-    float blend = sin(wood2_2) - 0.1;
-    float blend_2 = blend * checker_6 + (checker_2 ? dot(wood2_1.xyz, localTangentU) * 3.0 * 6.2831855 * wood2_3 : 0.0);
-    float blend_3 = blend * checker_7 + (checker_2 ? dot(wood2_1.xyz, localTangentV) * 3.0 * 6.2831855 * wood2_3 : 0.0);
-    vec3 normal_3 = cross(normal_1, blend_2 * 0.2 * worldTangentV - blend_3 * 0.2 * worldTangentU) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_3 : normal_3)) * (gl_FrontFacing ? 1.0 : -1.0);
+    float blend_1 = wood2 - 0.1;
+    float blend_2 = blend_1 * checker_6 + (checker_2 ? dot(wood2_1.xyz, localTangentU) * 3.0 * 6.2831855 * wood2_6 * wood2_4 : 0.0);
+    float blend_3 = blend_1 * checker_7 + (checker_2 ? dot(wood2_1.xyz, localTangentV) * 3.0 * 6.2831855 * wood2_6 * wood2_4 : 0.0);
+    vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    vec3 normal_11 = cross(normal_6, normal_10 * (blend_2 * 0.2) - normal_9 * (blend_3 * 0.2)) + cross(normal_9, normal_10);
+    vec3 normal_12 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_11 : normal_11));
+    vec3 normal = normal_12 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }

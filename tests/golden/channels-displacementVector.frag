@@ -4,6 +4,7 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
@@ -60,30 +61,46 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displacementVector.yaml:7 Gradient
     float gradient_1 = dot(localPosition, vec3(2.0, 1.0, 0.0));
     float gradient_2 = dot(localPositionByX, vec3(2.0, 1.0, 0.0));
     float gradient_3 = dot(localPositionByY, vec3(2.0, 1.0, 0.0));
     float gradient_4 = cos(gradient_1);
     // displacementVector.yaml:8 Leopard
-    vec3 leopard2 = leopardGradient(localPosition * 3.0).xyz;
-    vec3 normal_1 = 1.0 / max(length(worldTangentU), 1e-30) * worldTangentU;
-    vec3 normal_2 = 1.0 / max(length(worldTangentV), 1e-30) * worldTangentV;
-    vec3 normal_3 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec4 leopard2 = leopardGradient(localPosition * 3.0);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5;
+    vec3 normal_8 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
+    vec3 normal_9 = (normal_8 - dot(normal_6, normal_8) * normal_6) * normal_5;
+    vec3 normal_10 = 1.0 / max(length(worldTangentU), 1e-30) * worldTangentU;
+    vec3 normal_11 = 1.0 / max(length(worldTangentV), 1e-30) * worldTangentV;
     float gradient_5 = sincMean(sqrt(gradient_3 * gradient_3 + gradient_2 * gradient_2));
     float gradient = gradient_5 * sin(gradient_1);
     // displacementVector.yaml:5 Blend
-    vec3 blend = step(gradient, 1.0) * step(-1.0, gradient) * vec3(0.4, -0.1, 0.25);
-    vec3 normal_4 = blend * (gradient_5 * (gradient_4 * dot(localTangentU, vec3(2.0, 1.0, 0.0)))) + vec3(0.0, 0.0, dot(leopard2, localTangentU * 3.0));
-    vec3 normal_5 = normal_4 * 0.25;
-    vec3 normal_6 = dot(localTangentV, vec3(2.0, 1.0, 0.0)) * gradient_4 * gradient_5 * blend + vec3(0.0, 0.0, dot(leopard2, localTangentV * 3.0));
-    vec3 normal_7 = normal_6 * 0.25;
-    vec3 normal_8 = normal_5.x * normal_1 + worldTangentU + normal_5.y * normal_2;
-    vec3 normal_9 = normal_7.x * normal_1 + worldTangentV + normal_7.y * normal_2;
-    vec3 normal_10 = cross(normal_3, normal_9 * normal_5.z - normal_8 * normal_7.z) + cross(normal_8, normal_9);
-    vec3 normal_11 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_3) < 0.0 ? -normal_10 : normal_10));
-    vec3 normal = normal_11 * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 blend = mix(vec3(-0.4, 0.1, -0.2), vec3(0.4, -0.1, 0.3), clamp((gradient + 1.0) * 0.5, 0.0, 1.0));
+    vec3 normal_12 = (vec3(0.0, 0.0, leopard2.w) + blend) * 0.25;
+    vec3 blend_1 = step(gradient, 1.0) * step(-1.0, gradient) * vec3(0.4, -0.1, 0.25);
+    vec3 normal_13 = blend_1 * (gradient_5 * (gradient_4 * dot(localTangentU, vec3(2.0, 1.0, 0.0)))) + vec3(0.0, 0.0, dot(leopard2.xyz, localTangentU * 3.0));
+    vec3 normal_14 = normal_13 * 0.25;
+    vec3 normal_15 = dot(localTangentV, vec3(2.0, 1.0, 0.0)) * gradient_4 * gradient_5 * blend_1 + vec3(0.0, 0.0, dot(leopard2.xyz, localTangentV * 3.0));
+    vec3 normal_16 = normal_15 * 0.25;
+    vec3 normal_17 = normal_14.x * normal_10 + (normal_12.z * normal_7 + worldTangentU) + normal_14.y * normal_11;
+    vec3 normal_18 = normal_16.x * normal_10 + (normal_12.z * normal_9 + worldTangentV) + normal_16.y * normal_11;
+    vec3 normal_19 = normal_18 * (normal_14.z - normal_12.x * dot(normal_7, normal_10) - normal_12.y * dot(normal_7, normal_11));
+    vec3 normal_20 = normal_17 * (normal_16.z - normal_12.x * dot(normal_9, normal_10) - normal_12.y * dot(normal_9, normal_11));
+    vec3 normal_21 = cross(normal_6, normal_19 - normal_20) + cross(normal_17, normal_18);
+    vec3 normal_22 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_21 : normal_21));
+    vec3 normal = normal_22 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11837810u, 645922816u);
 }

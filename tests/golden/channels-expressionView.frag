@@ -97,6 +97,10 @@ uint sharedExponentBits(vec3 v, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // expressionView.yaml:3 Expression
     vec3 diffuse_expression_1 = safeNormalize(matc_viewer.xyz - matc_viewer.w * worldPosition);
     vec3 diffuse_expression = diffuse_expression_1 * 0.5 + 0.5;
@@ -104,9 +108,15 @@ void main() {
     vec3 expression_1 = safeNormalize(worldNormal);
     float expression_2 = expression_1.z * (min(abs(dot(expression_1, expression_1)), 1.0) * 0.1) * matc_time;
     float expression = sin(uv.x) * expression_2;
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
-    bool normal_3 = dot(normal_2, normal_1) < 0.0;
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
+    vec3 normal_8 = cross(worldTangentU, worldTangentV);
+    bool normal_9 = dot(normal_8, normal_6) < 0.0;
     uint surface_bits = rootBits(diffuse_expression.x, 8) | rootBits(diffuse_expression.y, 8) << 8 | rootBits(diffuse_expression.z, 8) << 16;
     // expressionView.yaml:4 Expression
     float specular_expression_1 = 1.0 - min(abs(dot(expression_1, diffuse_expression_1)), 1.0);
@@ -115,13 +125,16 @@ void main() {
     // expressionView.yaml:5 Expression
     float shininess_expression = sin(uv.x + matc_time) * 0.4 + 0.5;
     uint surface_bits2 = rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | logarithmBits(phongExponent(shininess_expression), 10) << 21;
-    vec3 normal_4 = step(expression, 0.5) * (cos(uv.x) * expression_2) * step(-0.5, expression) * worldTangentV;
-    vec3 normal_5 = cross(normal_1, normal_4) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(normal_3 ? -normal_5 : normal_5)) * (gl_FrontFacing ? 1.0 : -1.0);
+    float normal_10 = clamp(expression, -0.5, 0.5);
+    vec3 normal_11 = normal_10 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    vec3 normal_12 = cross(normal_10 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU, normal_11);
+    vec3 normal_13 = normal_11 * (step(expression, 0.5) * (cos(uv.x) * expression_2) * step(-0.5, expression));
+    vec3 normal_14 = cross(normal_6, normal_13) + normal_12;
+    vec3 normal = safeNormalize(eyeFromWorld(normal_9 ? -normal_14 : normal_14)) * (gl_FrontFacing ? 1.0 : -1.0);
     // expressionView.yaml:6 BumpMap
     vec3 emissive_bumpMap_1 = localTangentU.x * 0.5 * 0.02 * worldTangentV - localTangentV.x * 0.5 * 0.02 * worldTangentU;
-    vec3 emissive_bumpMap_2 = cross(normal_1, emissive_bumpMap_1) + normal_2;
-    vec3 emissive_bumpMap = normal_3 ? -emissive_bumpMap_2 : emissive_bumpMap_2;
+    vec3 emissive_bumpMap_2 = cross(normal_6, emissive_bumpMap_1) + normal_8;
+    vec3 emissive_bumpMap = normal_9 ? -emissive_bumpMap_2 : emissive_bumpMap_2;
     // expressionView.yaml:6 Expression
     float emissive_expression_1 = 0.5 < min(abs(dot(safeNormalize(emissive_bumpMap), diffuse_expression_1)), 1.0) ? uv.x * 0.2 : 0.1;
     vec3 emissive_expression = vec3(emissive_expression_1) * matc_time;

@@ -113,11 +113,10 @@ void main() {
     // attributes.yaml:7 Expression
     float expression = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
     bool expression_2 = abs(expression) < 1e-30;
-    float expression_3 = expression_2 ? 1.0 : expression;
-    vec3 bumpMap_3 = (expression_2 ? 0.0 : (uvByY.y * matc_attribute_wetnessByX - uvByX.y * matc_attribute_wetnessByY) / expression_3) * 0.04 * worldTangentV;
-    vec3 bumpMap_4 = (expression_2 ? 0.0 : (uvByX.x * matc_attribute_wetnessByY - uvByY.x * matc_attribute_wetnessByX) / expression_3) * 0.04 * worldTangentU;
-    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 - bumpMap_4) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
+    float expression_3 = expression_2 ? 0.0 : 1.0 / (expression_2 ? 1.0 : expression);
+    vec3 bumpMap_3 = (uvByY.y * matc_attribute_wetnessByX - uvByX.y * matc_attribute_wetnessByY) * expression_3 * 0.04 * worldTangentV - (uvByX.x * matc_attribute_wetnessByY - uvByY.x * matc_attribute_wetnessByX) * expression_3 * 0.04 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(shininess, 10) << 21);
     fragment0 = surface_bits2;

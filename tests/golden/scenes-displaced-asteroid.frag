@@ -4,6 +4,7 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
@@ -224,17 +225,30 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displaced.yaml:80 VolumeTurbulence
     float diffuse_volumeTurbulence = turbulence(localPosition * 6.0, 4, 2.0, 1.0);
     // displaced.yaml:80 Blend
     vec3 diffuse_blend = mix(vec3(0.104616486, 0.08865558, 0.07227185), vec3(0.37626213, 0.3231432, 0.25818285), clamp((diffuse_volumeTurbulence + 0.7) * 0.71428573, 0.0, 1.0));
     // displaced.yaml:81 VolumeTurbulence
-    vec3 volumeTurbulence = turbulenceGradient(localPosition * 1.6, vec3(0.0), 7, 2.0, 0.45, 0.0).xyz;
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
+    vec4 volumeTurbulence = turbulenceGradient(localPosition * 1.6, vec3(0.0), 7, 2.0, 0.45, 0.0);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
-    vec3 normal_3 = dot(volumeTurbulence, localTangentU * 1.6) * 0.13 * worldTangentV - dot(volumeTurbulence, localTangentV * 1.6) * 0.13 * worldTangentU;
-    vec3 normal_4 = cross(normal_1, normal_3) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_4 : normal_4)) * (gl_FrontFacing ? 1.0 : -1.0);
+    float normal_8 = volumeTurbulence.w * 0.13;
+    vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    vec3 normal_11 = dot(volumeTurbulence.xyz, localTangentU * 1.6) * 0.13 * normal_10 - dot(volumeTurbulence.xyz, localTangentV * 1.6) * 0.13 * normal_9;
+    vec3 normal_12 = cross(normal_6, normal_11) + cross(normal_9, normal_10);
+    vec3 normal_13 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_12 : normal_12));
+    vec3 normal = normal_13 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

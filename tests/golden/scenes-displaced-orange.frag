@@ -4,6 +4,7 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
@@ -177,12 +178,25 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displaced.yaml:76 VolumeTurbulence
-    vec3 volumeTurbulence = turbulenceGradient(localPosition * 17.0, vec3(0.0), 2, 2.0, 0.4, 0.0).xyz;
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
-    vec3 normal_3 = dot(volumeTurbulence, localTangentU * 17.0) * 0.009 * worldTangentV - dot(volumeTurbulence, localTangentV * 17.0) * 0.009 * worldTangentU;
-    vec3 normal_4 = cross(normal_1, normal_3) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_4 : normal_4)) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec4 volumeTurbulence = turbulenceGradient(localPosition * 17.0, vec3(0.0), 2, 2.0, 0.4, 0.0);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
+    float normal_8 = volumeTurbulence.w * 0.009;
+    vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    vec3 normal_11 = dot(volumeTurbulence.xyz, localTangentU * 17.0) * 0.009 * normal_10 - dot(volumeTurbulence.xyz, localTangentV * 17.0) * 0.009 * normal_9;
+    vec3 normal_12 = cross(normal_6, normal_11) + cross(normal_9, normal_10);
+    vec3 normal_13 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_12 : normal_12));
+    vec3 normal = normal_13 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2149284837u, 807436416u);
 }

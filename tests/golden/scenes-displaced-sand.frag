@@ -4,6 +4,7 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
@@ -219,15 +220,29 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displaced.yaml:86 Turbulence
     vec3 turbulence2 = vectorTurbulence(localPosition, 5, 2.0, 2.0) * vec3(0.02) + localPosition;
     // displaced.yaml:86 Gradient
-    float gradient = cos(dot(turbulence2, vec3(14.0, 5.0, 0.0)));
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
-    vec3 normal_3 = dot(vectorTurbulenceAlong(localPosition, vec3(0.0), 5, 2.0, 2.0, 0.0, localTangentU) * vec3(0.02) + localTangentU, vec3(14.0, 5.0, 0.0)) * gradient * 0.012 * worldTangentV;
-    vec3 normal_4 = dot(vectorTurbulenceAlong(localPosition, vec3(0.0), 5, 2.0, 2.0, 0.0, localTangentV) * vec3(0.02) + localTangentV, vec3(14.0, 5.0, 0.0)) * gradient * 0.012 * worldTangentU;
-    vec3 normal_5 = cross(normal_1, normal_3 - normal_4) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_5 : normal_5)) * (gl_FrontFacing ? 1.0 : -1.0);
+    float gradient_1 = dot(turbulence2, vec3(14.0, 5.0, 0.0));
+    float normal_1 = sin(gradient_1) * 0.012;
+    float gradient_2 = cos(gradient_1);
+    float normal_2 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_3 = abs(normal_2) < 1e-30;
+    float normal_4 = normal_3 ? 0.0 : 1.0 / (normal_3 ? 1.0 : normal_2);
+    vec3 normal_5 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_4;
+    float normal_6 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_7 = normal_6 * worldNormal;
+    vec3 normal_8 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_4;
+    vec3 normal_9 = (normal_5 - dot(normal_7, normal_5) * normal_7) * normal_6 * normal_1 + worldTangentU;
+    vec3 normal_10 = (normal_8 - dot(normal_7, normal_8) * normal_7) * normal_6 * normal_1 + worldTangentV;
+    vec3 normal_11 = dot(vectorTurbulenceAlong(localPosition, vec3(0.0), 5, 2.0, 2.0, 0.0, localTangentU) * vec3(0.02) + localTangentU, vec3(14.0, 5.0, 0.0)) * gradient_2 * 0.012 * normal_10;
+    vec3 normal_12 = dot(vectorTurbulenceAlong(localPosition, vec3(0.0), 5, 2.0, 2.0, 0.0, localTangentV) * vec3(0.02) + localTangentV, vec3(14.0, 5.0, 0.0)) * gradient_2 * 0.012 * normal_9;
+    vec3 normal_13 = cross(normal_7, normal_11 - normal_12) + cross(normal_9, normal_10);
+    vec3 normal_14 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_7) < 0.0 ? -normal_13 : normal_13));
+    vec3 normal = normal_14 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 8497858u, 645922816u);
 }

@@ -4,6 +4,7 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
@@ -274,8 +275,12 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // displaced.yaml:12 wall
     vec3 wall = localPosition * vec3(2.5, 2.5, 6.0);
     vec3 wall_1 = localPositionByX * vec3(2.5, 2.5, 6.0);
@@ -286,8 +291,13 @@ void main() {
     vec3 bond_3 = fract(wall * vec3(0.0, 0.0, 1.0) * 0.5);
     // displaced.yaml:33 sand
     vec4 sand = turbulenceGradient(localPosition * 22.0, vec3(0.0), 3, 2.0, 0.7, 0.0);
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
     // displaced.yaml:21 up
     float up_1 = sqrt(wall_2.z * wall_2.z + wall_1.z * wall_1.z);
     float up = rampMean(wall.z, up_1);
@@ -303,15 +313,16 @@ void main() {
     vec3 bond_9 = stripes3(fract(bond_3 + vec3(0.0, 0.0, 0.05)), bond_4);
     float bond_10 = (0.5 - bond_9.z * (bond_9.y * bond_9.x) * 0.5 - bond_7) * 20.0;
     // displaced.yaml:49 Blend
-    bool blend = up <= 0.86;
-    bool blend_2 = up < 0.7;
-    float blend_3 = (up + 0.7) * 0.71428573;
-    bool blend_4 = up < -0.7;
-    float blend_5 = (up + 0.86) * 6.25;
-    bool blend_6 = up < -0.86;
+    bool blend_1 = up <= 0.86;
+    float blend_2 = (up - 0.7) * 6.25;
+    bool blend_3 = up < 0.7;
+    float blend_4 = (up + 0.7) * 0.71428573;
+    bool blend_5 = up < -0.7;
+    float blend_6 = (up + 0.86) * 6.25;
+    bool blend_7 = up < -0.86;
     float up_2 = rampRate(wall.z, up_1);
-    float blend_7 = 1.0 - blend_3;
-    float blend_8 = 1.0 - (up - 0.7) * 6.25;
+    float blend_8 = 1.0 - blend_4;
+    float blend_9 = 1.0 - blend_2;
     // displaced.yaml:35 mortar
     vec3 mortar = mix(vec3(0.2746773, 0.24620132, 0.20155625), vec3(0.48514995, 0.43965718, 0.3662526), clamp(sand.w + 0.5, 0.0, 1.0));
     // displaced.yaml:44 face
@@ -339,37 +350,42 @@ void main() {
     float side_9 = 1.0 - side_5;
     float side_10 = 1.0 - side_3;
     float side = side_8 ? 0.0 : side_6 ? side_7 * face : side_4 ? face : side_2 ? mix(face, 0.0, side_3) : 0.0;
-    float blend_9 = -side;
-    float blend_10;
-    if (blend_6) {
-        blend_10 = 0.0;
+    float blend = blend_7 ? 0.0 : blend_5 ? side * blend_6 : blend_3 ? side : blend_1 ? mix(side, 0.0, blend_2) : 0.0;
+    float normal_8 = blend * 0.04;
+    float blend_10 = -side;
+    vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    float blend_11;
+    if (blend_7) {
+        blend_11 = 0.0;
     } else {
         vec3 wall_3 = localTangentU * vec3(2.5, 2.5, 6.0);
-        float blend_11 = wall_3.z * up_2 * 6.25;
+        float blend_12 = wall_3.z * up_2 * 6.25;
         float face_2 = face_1 * dot(sand.xyz, localTangentU * 22.0);
         float along_8 = along_3 * (wall_3.z * 0.5 * bond_10) + (wall_3.x * bond_8 + wall_3.x * bond_7);
         float side_11 = along_8 * along_7 * 12.5;
         float side_12 = side_4 ? side_5 * face_2 + side_9 * face_2 : side_2 ? side_11 * side_1 + side_10 * face_2 : 0.0;
         float side_13 = side_8 ? 0.0 : side_6 ? side_11 * face + side_7 * face_2 : side_12;
-        float blend_12 = blend_2 ? side_13 * blend_3 + side_13 * blend_7 : blend ? side_13 * blend_8 + blend_9 * blend_11 : 0.0;
-        blend_10 = blend_4 ? side_13 * blend_5 + side * blend_11 : blend_12;
+        float blend_13 = blend_3 ? side_13 * blend_4 + side_13 * blend_8 : blend_1 ? side_13 * blend_9 + blend_10 * blend_12 : 0.0;
+        blend_11 = blend_5 ? side_13 * blend_6 + side * blend_12 : blend_13;
     }
-    float blend_13;
-    if (blend_6) {
-        blend_13 = 0.0;
+    float blend_14;
+    if (blend_7) {
+        blend_14 = 0.0;
     } else {
         vec3 wall_4 = localTangentV * vec3(2.5, 2.5, 6.0);
-        float blend_14 = wall_4.z * up_2 * 6.25;
+        float blend_15 = wall_4.z * up_2 * 6.25;
         float face_3 = face_1 * dot(sand.xyz, localTangentV * 22.0);
         float along_9 = along_3 * (wall_4.z * 0.5 * bond_10) + (wall_4.x * bond_8 + wall_4.x * bond_7);
         float side_14 = along_9 * along_7 * 12.5;
         float side_15 = side_4 ? side_5 * face_3 + side_9 * face_3 : side_2 ? side_14 * side_1 + side_10 * face_3 : 0.0;
         float side_16 = side_8 ? 0.0 : side_6 ? side_14 * face + side_7 * face_3 : side_15;
-        float blend_15 = blend_2 ? side_16 * blend_3 + side_16 * blend_7 : blend ? side_16 * blend_8 + blend_9 * blend_14 : 0.0;
-        blend_13 = blend_4 ? side_16 * blend_5 + side * blend_14 : blend_15;
+        float blend_16 = blend_3 ? side_16 * blend_4 + side_16 * blend_8 : blend_1 ? side_16 * blend_9 + blend_10 * blend_15 : 0.0;
+        blend_14 = blend_5 ? side_16 * blend_6 + side * blend_15 : blend_16;
     }
-    vec3 normal_3 = cross(normal_1, blend_10 * 0.04 * worldTangentV - blend_13 * 0.04 * worldTangentU) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_3 : normal_3)) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal_11 = cross(normal_6, blend_11 * 0.04 * normal_10 - blend_14 * 0.04 * normal_9) + cross(normal_9, normal_10);
+    vec3 normal_12 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_11 : normal_11));
+    vec3 normal = normal_12 * (gl_FrontFacing ? 1.0 : -1.0);
     // displaced.yaml:63 lengths
     vec3 lengths;
     if (-0.83 < up && up < 0.83) {

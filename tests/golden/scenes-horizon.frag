@@ -4,6 +4,7 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
+in vec2 uv;
 in vec3 localPosition;
 in vec3 localTangentU;
 in vec3 localTangentV;
@@ -224,6 +225,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
     // horizon.yaml:14 grain
     float grain = turbulence(localPosition * 12.0, 5, 2.0, 0.6);
     // horizon.yaml:20 meadow
@@ -233,17 +238,27 @@ void main() {
     vec3 rock = mix(mix(vec3(0.10224173, 0.08228271, 0.064803265), vec3(0.25818285, 0.21223076, 0.16202937), clamp(meadow_1 * 1.6666666, 0.0, 1.0)), vec3(0.39157248, 0.3277781, 0.24620132), clamp((grain - 0.1) * 2.5, 0.0, 1.0));
     // horizon.yaml:13 mountains
     vec4 mountains = turbulenceGradient(localPosition * 0.35, vec3(0.0), 8, 2.0, 0.46, 0.0);
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
     // horizon.yaml:26 Remap
     float remap = (mountains.w + 1.0) * 0.5;
     // horizon.yaml:26 Power
-    float power = step(1e-37, remap);
-    float power_2 = pow(max(remap, 1e-37), 1.5) * 2.5;
-    vec3 normal_3 = power_2 * (dot(mountains.xyz, localTangentU * 0.35) * 0.5 * power) * 1.8 * worldTangentV;
-    vec3 normal_4 = power_2 * (dot(mountains.xyz, localTangentV * 0.35) * 0.5 * power) * 1.8 * worldTangentU;
-    vec3 normal_5 = cross(normal_1, normal_3 - normal_4) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_5 : normal_5)) * (gl_FrontFacing ? 1.0 : -1.0);
+    float power_1 = max(remap, 1e-37);
+    float normal_8 = pow(power_1, 2.5) * 1.8;
+    float power_2 = step(1e-37, remap);
+    vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    float power_3 = pow(power_1, 1.5) * 2.5;
+    vec3 normal_11 = power_3 * (dot(mountains.xyz, localTangentU * 0.35) * 0.5 * power_2) * 1.8 * normal_10;
+    vec3 normal_12 = power_3 * (dot(mountains.xyz, localTangentV * 0.35) * 0.5 * power_2) * 1.8 * normal_9;
+    vec3 normal_13 = cross(normal_6, normal_11 - normal_12) + cross(normal_9, normal_10);
+    vec3 normal_14 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_13 : normal_13));
+    vec3 normal = normal_14 * (gl_FrontFacing ? 1.0 : -1.0);
     // horizon.yaml:29 Blend
     vec3 diffuse_blend = mix(mix(meadow, rock, clamp((mountains.w + 0.2) * 5.0, 0.0, 1.0)), vec3(0.6866853, 0.7230551, 0.7912979), clamp((mountains.w - 0.32) * 8.333333, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;

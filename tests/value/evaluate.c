@@ -50,3 +50,16 @@ void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][
     inputs[INPUT_time][0] = point_time;
     memcpy(inputs[INPUT_viewer], point_viewer, sizeof point_viewer);
 }
+
+void evaluate_bends(const Point *point, double inputs[INPUT_COUNT][4])
+{
+    static const Input texture[2] = {INPUT_UX, INPUT_UY}, normal[2] = {INPUT_NX, INPUT_NY};
+    static const double uv[2][2] = {{0.5, 0}, {0.125, -0.25}}; /* to the right neighbour, to the upper one */
+    double by[2][3];
+    point_bends(point, by[0], by[1]);
+    for (int to = 0; to < 2; to++) {
+        memcpy(inputs[texture[to]], uv[to], sizeof uv[to]);
+        for (int lane = 0; lane < 3; lane++)
+            inputs[normal[to]][lane] = uv[to][0] * by[0][lane] + uv[to][1] * by[1][lane];
+    }
+}

@@ -156,6 +156,21 @@ void point_surface(const Point *point, bool front, Surface *surface)
     }
 }
 
+void point_bends(const Point *point, double by_u[3], double by_v[3])
+{
+    for (int lane = 0; lane < 3; lane++) {
+        by_u[lane] = 0.75 * point->input[INPUT_XV][lane];
+        by_v[lane] = -0.5 * point->input[INPUT_XU][(lane + 1) % 3];
+    }
+}
+
+static void surface_of(const PointSet *points, int i, Surface *surface)
+{
+    point_surface(&points->at[i], points->front, surface);
+    if (points->bent)
+        point_bends(&points->at[i], surface->normal_u, surface->normal_v);
+}
+
 enum { AXES = 8, FRAME_LANES = 3 * LANES_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };
 
 /* Rows of a Hadamard matrix: any two of the eight axes meet in all four combinations of signs. */
@@ -230,7 +245,7 @@ void points_hulls(Oracle *oracle, const Node *material, const PointSet *points, 
 {
     for (int i = 0; i < points->count; i++) {
         Surface here;
-        point_surface(&points->at[i], points->front, &here);
+        surface_of(points, i, &here);
         oracle_material(oracle, material, &here, &hulls[i].value);
         hulls[i].low = hulls[i].high = hulls[i].value;
         int corners = corner_count(&here);
@@ -249,7 +264,7 @@ void points_widen(Oracle *oracle, const Node *material, const PointSet *points, 
 {
     for (int i = 0; i < points->count; i++) {
         Surface here;
-        point_surface(&points->at[i], points->front, &here);
+        surface_of(points, i, &here);
         meet(oracle, material, &here, &hulls[i]);
     }
 }

@@ -26,6 +26,8 @@ void point_describe(const Point *point, char *text, size_t room);
 
 extern const double point_ior, point_viewer[4], point_time; /* of every point */
 void point_surface(const Point *point, bool front, Surface *surface);
+/* The normal's changes by u and by v there, where a test wants a surface that is curved. */
+void point_bends(const Point *point, double by_u[3], double by_v[3]);
 
 /* A coordinate is so large that floats cannot tell the parts of a pattern: of a shader it is only asked to write numbers. */
 bool point_is_extreme(const Point *point);
@@ -52,6 +54,7 @@ typedef struct {
     int count;
     bool front;
     const Reach *reach;
+    bool bent; /* point_bends */
 } PointSet;
 
 /* A hull for every point. */

@@ -1,0 +1,86 @@
+/* The ball's curvature is 1 all over, the torus' 1 / r around the tube and cos b / (R + r cos b) around the axis. */
+#include "tests/value/curved.h"
+#include <math.h>
+#include <string.h>
+
+static const double ring = 1, tube = 0.5;
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void set(Surface *surface, Group group, const double v[3])
+{
+    memcpy(&surface->root[channel_id(group, 0)], v, 3 * sizeof *v);
+}
+
+/* A point of the base: where it is, its normal, the directions in which it bends, each of length 1, and how much. */
+typedef struct {
+    double at[3], n[3], along[2][3], bends[2];
+} Base;
+
+static Base base_at(CurvedBody body, double a, double b)
+{
+    const double ca = cos(a), sa = sin(a), cb = cos(b), sb = sin(b);
+    Base base = {.n = {cb * ca, cb * sa, sb}, .along = {{-sa, ca, 0}, {-sb * ca, -sb * sa, cb}}, .bends = {1, 1}};
+    for (int i = 0; i < 3; i++)
+        base.at[i] = body == CURVED_ball ? base.n[i] : tube * base.n[i] + (i == 0 ? ring * ca : i == 1 ? ring * sa : 0);
+    if (body == CURVED_torus) {
+        base.bends[0] = cb / (ring + tube * cb);
+        base.bends[1] = 1 / tube;
+    }
+    return base;
+}
+
+static Base base_near(CurvedBody body, const double place[3])
+{
+    const double across = hypot(place[0], place[1]) - (body == CURVED_torus ? ring : 0);
+    return base_at(body, atan2(place[1], place[0]), atan2(place[2], across));
+}
+
+void curved_surface(CurvedBody body, double u, double v, Surface *surface)
+{
+    const double turn = 2 * M_PI, by_v = body == CURVED_ball ? M_PI : turn;
+    const Base base = base_at(body, turn * u, body == CURVED_ball ? by_v * (v - 0.5) : by_v * v);
+    double tangent[2][3];
+    const double length[2] = {turn * hypot(base.at[0], base.at[1]), by_v * (body == CURVED_ball ? 1 : tube)};
+    oracle_surface_default(surface);
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 3; i++) {
+            tangent[k][i] = length[k] * base.along[k][i];
+            (k ? surface->normal_v : surface->normal_u)[i] = base.bends[k] * tangent[k][i];
+            (k ? surface->local_v : surface->local_u)[i] = tangent[k][i];
+        }
+    set(surface, GROUP_P, base.at);
+    set(surface, GROUP_X, base.at);
+    set(surface, GROUP_N, base.n);
+    set(surface, GROUP_DU, tangent[0]);
+    set(surface, GROUP_DV, tangent[1]);
+    set(surface, GROUP_U, (double[3]){u, v, 0});
+}
+
+void curved_base(CurvedBody body, const double place[3], double normal[3])
+{
+    const Base base = base_near(body, place);
+    memcpy(normal, base.n, sizeof base.n);
+}
+
+void curved_normal(CurvedBody body, double scale, const double place[3], bool stay, double normal[3])
+{
+    const Base base = base_near(body, place);
+    const double p = 3 * base.at[0] + 1, q = 2 * base.at[1] + base.at[2], height = scale * sin(p) * cos(q);
+    const double gradient[3] = {3 * scale * cos(p) * cos(q), -2 * scale * sin(p) * sin(q), -scale * sin(p) * sin(q)};
+    memcpy(normal, base.n, sizeof base.n);
+    for (int k = 0; k < 2; k++) {
+        const double leans = dot(gradient, base.along[k]) / (stay ? 1 : 1 + height * base.bends[k]);
+        for (int i = 0; i < 3; i++)
+            normal[i] -= leans * base.along[k][i];
+    }
+    const double size = sqrt(dot(normal, normal));
+    for (int i = 0; i < 3; i++)
+        normal[i] /= size;
+}
+
+double curved_angle(const double a[3], const double b[3])
+{
+    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return 180 / M_PI * atan2(sqrt(dot(cross, cross)), dot(a, b));
+}
