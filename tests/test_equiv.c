@@ -66,6 +66,14 @@ static bool has_slopes(const Test *t, int material, Choice derivatives)
     return subjects_slopes(&subjects, derivatives);
 }
 
+/* A Triplanar weighs its maps by slopes of what its input answers. */
+static bool has_slopes_within(const Test *t, int material)
+{
+    Subjects subjects;
+    subjects_of(t->document.graph->materials[material].node, SLOT_diffuse, &subjects);
+    return subjects.has[KIND_Triplanar];
+}
+
 /* So far out a step h of the oracle's differences is wide beside what maps do: of a wave of 200 radians a unit, (200 h)^2 / 6 is 1e-8. */
 static const float far = 100;
 
@@ -181,6 +189,8 @@ static void ir_means_what_the_oracle_says(void **state)
             check_material(&test, material, CHOICE_derivatives_auto);
             if (has_slopes(&test, material, CHOICE_derivatives_auto))
                 check_material(&test, material, CHOICE_derivatives_finite);
+            if (has_slopes_within(&test, material))
+                check_material(&test, material, CHOICE_derivatives_analytic);
         }
         document_close(&test.document);
     }

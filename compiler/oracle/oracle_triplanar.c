@@ -48,7 +48,7 @@ static void weights_at(Environment *environment, const Node *node, double weight
     Environment *at = environment->origin ? environment->origin : environment;
     double slope[AXES][2], normal[AXES], sum = 0;
     for (int i = 0; i < AXES; i++)
-        oracle_slopes(at, &(Height){position, node, i}, slope[i]);
+        oracle_slopes_exact(at, &(Height){position, node, i}, slope[i]);
     for (int i = 0; i < AXES; i++) {
         const double *y = slope[(i + 1) % AXES], *z = slope[(i + 2) % AXES];
         normal[i] = y[0] * z[1] - z[0] * y[1];
