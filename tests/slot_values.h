@@ -15,6 +15,7 @@ static const double CLOSE = 1e-3; /* of published values */
 static inline char *values_at(const char *text, const char *at, char **said)
 {
     MatcOptions options = quick();
+    options.pixels = true;
     const char *fault;
     MatcDocument *document = read_text(text, &options);
     char *result = matc_eval(document, 0, at, &options, &fault);

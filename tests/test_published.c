@@ -1,4 +1,4 @@
-/* MaterialX's procedural brick, written as formulas, beside its published graph in C; its noise beside what its shader prints; Standard Surface's edge colour beside OpenPBR's tint. */
+/* MaterialX's procedural brick, written as formulas, beside its published graph in C; its tiled wood and brass; its noise beside what its shader prints; Standard Surface's edge colour beside OpenPBR's tint. */
 #include "slot_values.h"
 
 /* -- MaterialX's procedural brick: its pictures are numbers here, its graph is written once as a formula and once in C. */
@@ -134,6 +134,71 @@ static void marble(void **state)
     }
 }
 
+/* Its tiled wood and its tiled brass (standard_surface_wood_tiled.mtlx, standard_surface_brass_tiled.mtlx), over a picture whose texels are known: tiles.py
+ * made them. Each repeats its picture, and reads it as sRGB for its colour and its roughness. */
+static const struct {
+    int x, y; /* of the picture, from its left and its top */
+    double texel[3];
+} texels[] = {{10, 12, {30, 74, 92}}, {40, 20, {209, 195, 161}}, {20, 50, {210, 196, 162}}, {50, 50, {174, 52, 18}}, {32, 1, {9, 8, 7}}};
+
+static double linear_of(double byte)
+{
+    const double c = byte / 255;
+    return c <= .04045 ? c / 12.92 : pow((c + .055) / 1.055, 2.4);
+}
+
+/* The slots where semantics.md 2.4 has the texel `i`, at (x / width, y / height), of the picture's tile (1, 2), of so many by so many. */
+static char *values_at_texel(const char *text, int i, int tiles)
+{
+    char at[64];
+    snprintf(at, sizeof at, "u=%.9g v=%.9g", (1 + texels[i].x / 64.) / tiles, (2 + (63 - texels[i].y) / 64.) / tiles);
+    return values_at(text, at, NULL);
+}
+
+#define PICTURE(more) "{ map: ImageMap, image: " SOURCE_FOLDER "/examples/tiles.png, colorspace: srgb" more " }"
+
+static void tiled_wood(void **state)
+{
+    (void)state;
+    static const char text[] = "material: StandardSurface\nbase: 1\nbase_color: " PICTURE(", input: &four { map: UVTransform, scaleU: 4, scaleV: 4 }") "\n"
+                               "specular: .4\nspecular_roughness: " PICTURE(", channel: r, input: *four") "\nspecular_anisotropy: .5\n"
+                               "coat: .1\ncoat_roughness: .2\n";
+    for (int i = 0; i < (int)(sizeof texels / sizeof *texels); i++) {
+        double color[3];
+        for (int lane = 0; lane < 3; lane++)
+            color[lane] = linear_of(texels[i].texel[lane]);
+        /* widths r^2 / sqrt(1 - .9 * .5) and r^2 sqrt(1 - .9 * .5), which in OpenPBR are R^2 sqrt(2 / (1 + s^2)) and s times that */
+        const double s = 1 - .9 * .5, rough = sqrt(color[0] * color[0] / sqrt(s) * sqrt((1 + s * s) / 2));
+        char *values = values_at_texel(text, i, 4);
+        expect_slot(values, "diffuse", color, 3);
+        expect_slot(values, "metalness", &(double){0}, 1);
+        expect_slot(values, "roughness", &rough, 1);
+        expect_slot(values, "coat", &(double){.1}, 1);
+        expect_slot(values, "coatRoughness", &(double){.2}, 1);
+        free(values);
+    }
+}
+
+static void tiled_brass(void **state)
+{
+    (void)state;
+    static const char text[] = "material: StandardSurface\nbase: 1\nspecular: 0\nspecular_roughness: &rough " PICTURE(", channel: r") "\nmetalness: 1\n"
+                               "coat: 1\ncoat_color: " PICTURE("") "\ncoat_roughness: *rough\n";
+    for (int i = 0; i < (int)(sizeof texels / sizeof *texels); i++) {
+        double color[3];
+        for (int lane = 0; lane < 3; lane++)
+            color[lane] = linear_of(texels[i].texel[lane]);
+        char *values = values_at_texel(text, i, 1);
+        expect_slot(values, "diffuse", (double[]){.8, .8, .8}, 3);
+        expect_slot(values, "metalness", &(double){1}, 1);
+        expect_slot(values, "roughness", color, 1);
+        expect_slot(values, "coat", &(double){1}, 1);
+        expect_slot(values, "coatTint", color, 3);
+        expect_slot(values, "coatRoughness", color, 1);
+        free(values);
+    }
+}
+
 /* -- Standard Surface's edge colour of metal (Gulbrandsen 2014) beside OpenPBR's tint at 82 degrees */
 
 static double by_index(double cosine, double n, double k2)
@@ -179,7 +244,7 @@ static void edge_tint_stands_for_edge_colour(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(procedural_brick), cmocka_unit_test(noise_is_that_of_materialx), cmocka_unit_test(marble),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(procedural_brick), cmocka_unit_test(noise_is_that_of_materialx), cmocka_unit_test(marble), cmocka_unit_test(tiled_wood), cmocka_unit_test(tiled_brass),
                                        cmocka_unit_test(edge_tint_stands_for_edge_colour)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

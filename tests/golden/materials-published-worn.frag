@@ -53,11 +53,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // published.yaml:19 Checker
+    // published.yaml:54 Checker
     vec2 checker = fract(uv * vec2(8.0, 4.0));
-    // published.yaml:21 NormalMap
+    // published.yaml:56 NormalMap
     vec3 normalMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // published.yaml:21 Leopard
+    // published.yaml:56 Leopard
     float leopard2 = leopard(localPosition * 9.0) * 0.5 + 0.25;
     vec3 normalMap_2 = worldTangentU - dot(worldTangentU, normalMap_1) * normalMap_1;
     vec3 normalMap_3 = 1.0 / max(length(normalMap_2), 1e-30) * normalMap_2;
