@@ -56,8 +56,11 @@ static void read_color(const FormulaSource *s, Token *token)
     }
 }
 
+/* "**", which other languages have for "^", is one, so that it is told as one. */
 static uint32_t symbol_end(const FormulaSource *s, uint32_t at)
 {
+    if (formula_begins(s, at, "**"))
+        return at + 2;
     for (int i = 0; i < symbol_count; i++)
         if (symbol_table[i].text[0] == s->text[at] && formula_begins(s, at, symbol_table[i].text))
             return at + (uint32_t)strlen(symbol_table[i].text);
@@ -94,7 +97,7 @@ Token formula_token(const FormulaSource *s, uint32_t at)
         token.kind = TOKEN_text;
         token.end = text_end(s, at);
     } else if ((token.end = symbol_end(s, at)) > at) {
-        token.kind = TOKEN_symbol;
+        token.kind = formula_begins(s, at, "**") ? TOKEN_other : TOKEN_symbol;
     } else {
         const int size = text_utf8_length(bytes + at, bytes + s->size);
         token = (Token){.kind = TOKEN_other, .start = at, .end = at + (uint32_t)(size > 0 ? size : 1)};

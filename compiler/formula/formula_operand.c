@@ -55,10 +55,12 @@ static void push_color(FormulaReader *r)
 
 void formula_say_other(FormulaReader *r)
 {
-    static const char *const meant[][2] = {{"×", "; * is the product"},          {"·", "; * is the product"},
-                                           {"÷", "; / is the quotient"},         {"−", "; - is the minus sign"},
-                                           {"π", "; it is written pi"},          {"$", "; names have no mark"},
-                                           {"\"", "; this quote is not closed"}, {"'", "; this quote is not closed"}};
+    static const char *const meant[][2] = {
+        {"×", "; * is the product"},          {"·", "; * is the product"},
+        {"÷", "; / is the quotient"},         {"−", "; - is the minus sign"},
+        {"π", "; it is written pi"},          {"$", "; names have no mark"},
+        {"**", "; a power is a ^ b"},         {"#", "; formulas have no comments, YAML has them outside of texts"},
+        {"\"", "; this quote is not closed"}, {"'", "; this quote is not closed"}};
     const char *hint = "";
     for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
         if (strlen(meant[i][0]) == formula_token_size(r->token) &&

@@ -142,6 +142,43 @@ static const SymbolRow *infix_of(const FormulaReader *r)
     return NULL;
 }
 
+/* A value of a local is followed by what begins the next part: a name and its '=', or a value on a line of its own, with no bracket open. */
+static bool lacks_semicolon(const FormulaReader *r)
+{
+    bool line = false;
+    for (size_t i = 0; i < r->wait_count; i++)
+        if (formula_is_open(&r->waits[i]))
+            return false;
+    for (uint32_t i = r->token.start; i > 0 && strchr(" \t\r\n", r->s->text[i - 1]); i--)
+        line |= r->s->text[i - 1] == '\n';
+    const Token next = formula_token(r->s, r->token.end);
+    return r->in_local && (line || (r->token.kind == TOKEN_name && formula_token_is(r->s, &next, "=")));
+}
+
+/* "**" */
+static bool is_power_of_others(const FormulaReader *r)
+{
+    return r->token.kind == TOKEN_other && formula_begins(r->s, r->token.start, "**");
+}
+
+/* What stands where an operator should, and is none here. */
+static void say_no_operator(FormulaReader *r)
+{
+    const char *word = r->token.kind == TOKEN_name ? formula_word(r, r->token) : "", *hint = "";
+    const bool foreign = !strcmp(word, "and") || !strcmp(word, "or");
+    if (foreign && !(hint = formula_foreign(r->session, word)))
+        hint = "";
+    r->faults++;
+    if (foreign)
+        diag_add(r->session, formula_token_span(r), DIAG_formula_unknown, word, hint);
+    else
+        diag_add(r->session, formula_token_span(r), DIAG_formula_operator, formula_token_text(r->s, r->token));
+    if (foreign) {
+        formula_next(r);
+        formula_reduce_to(r, level_or, true);
+    }
+}
+
 /* False: a value is wanted next. *ended: the value is whole. */
 bool formula_operator(FormulaReader *r, bool *ended)
 {
@@ -180,15 +217,23 @@ bool formula_operator(FormulaReader *r, bool *ended)
         *ended = true;
         return true;
     }
+    if (lacks_semicolon(r)) {
+        r->faults++;
+        diag_add(r->session, formula_token_span(r), DIAG_formula_semicolon, formula_token_text(r->s, r->token));
+        *ended = true;
+        return true;
+    }
     if (formula_is(r, "=")) {
         formula_say(r, DIAG_formula_assigns);
+    } else if (is_power_of_others(r)) {
+        formula_say_other(r);
+        formula_next(r);
     } else if (r->token.kind == TOKEN_other) {
         formula_say_other(r);
         formula_next(r);
         return true;
     } else {
-        r->faults++;
-        diag_add(r->session, formula_token_span(r), DIAG_formula_operator, formula_token_text(r->s, r->token));
+        say_no_operator(r);
     }
     r->operand_count--;
     return false;

@@ -49,7 +49,9 @@ static void read_local(FormulaReader *r)
     }
     formula_next(r);
     formula_next(r);
+    r->in_local = true;
     const uint32_t step = read_value(r);
+    r->in_local = false;
     if (names_find(&r->locals, called) < 0) {
         names_add(r->session->arena, &r->locals, called);
         ARENA_PUSH(r->session->arena, r->local_steps, r->local_count, r->local_room, step);

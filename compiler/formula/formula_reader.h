@@ -28,6 +28,7 @@ typedef struct {
     uint32_t *local_steps; /* by number of a local */
     size_t local_count, local_room;
     int faults;
+    bool in_local; /* what is read is a local's value, which ends with ';' */
 } FormulaReader;
 
 static inline Span formula_span(const FormulaReader *r, uint32_t start, uint32_t end)
