@@ -128,7 +128,7 @@ static int by_value(const void *a, const void *b)
 /* Sorted; from malloc. */
 static uint64_t *leaves_of(Bisected *b, int *count)
 {
-    const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}};
+    const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}, {0}};
     if (!displaced_write(&b->displaced, &view, &b->mesh))
         fail_msg("%s", b->gl->error);
     uint64_t *leaves = displaced_bisection_leaves(&b->displaced, count);

@@ -134,7 +134,7 @@ static void mark_pairs(const Scene *scene, bool met[7][7])
 {
     const ScenePatches *patches = scene->meshes[scene->objects[0].mesh].patches;
     uint8_t(*parts)[3] = calloc((size_t)patches->count, sizeof *parts);
-    scene_patches_levels(patches, &scene->camera, (int[]){EDGE, EDGE}, parts);
+    scene_patches_levels(patches, &scene->camera, (int[]){EDGE, EDGE}, NULL, parts);
     for (int t = 0; t < patches->count; t++)
         for (int k = 0; k < 9; k++)
             met[__builtin_ctz(parts[t][k / 3])][__builtin_ctz(parts[t][k % 3])] = true;

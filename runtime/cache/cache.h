@@ -101,6 +101,7 @@ typedef struct {
     const int *size;            /* of the picture, in pixels */
     const MatcOptions *compile; /* of programs that displace */
     bool triangles;             /* of meshes that the driver displaces are wanted in the scene, too */
+    bool alone;                 /* the camera alone looks at the scene: no light that casts shadows, and no ray */
     Transparency transparency;
     ExactNumberWhat written; /* by what is opaque, beside the G-buffer */
     bool lines;              /* surfaces are drawn as lines */

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Patches by the parts of their insides: `first` of each number of parts, and behind the last. */
+/* Patches by the parts of their insides: `first` of each number of parts, and behind the last. Those of none come first, and are not drawn. */
 static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
 {
     const int count = d->patches->count;
@@ -28,15 +28,25 @@ static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
     return fine;
 }
 
+/* What was written has all that is seen, divided as it shall be; what is beside the view may be there as well. */
+static bool stands(const Displaced *d, uint8_t (*parts)[3])
+{
+    bool same = d->written;
+    for (int t = 0; same && t < d->patches->count; t++)
+        same = !parts[t][0] || !memcmp(parts[t], d->parts[t], sizeof parts[t]);
+    return same;
+}
+
 bool displaced_parts(Displaced *d, const DisplacedView *view, int first[SCENE_PATCH_PARTS + 2])
 {
     const size_t bytes = (size_t)d->patches->count * sizeof *d->parts;
     uint8_t(*parts)[3] = malloc(bytes + 1);
     if (!parts)
         return gl_fail(displaced_context(d), "out of memory");
-    scene_patches_levels(d->patches, &view->scene->camera, view->size, parts);
-    d->anew = !d->written || memcmp(parts, d->parts, bytes) != 0;
-    memcpy(d->parts, parts, bytes);
+    scene_patches_levels(d->patches, &view->scene->camera, view->size, view->sight.count ? &view->sight : NULL, parts);
+    d->anew = !stands(d, parts);
+    if (d->anew)
+        memcpy(d->parts, parts, bytes);
     free(parts);
     return !d->anew || write_drawn(d, first);
 }

@@ -29,7 +29,7 @@ static void draw_patches(const Displaced *d, const int first[SCENE_PATCH_PARTS +
 {
     enum { POINTS = 1 << 15 };
     const GlContext *gl = displaced_context(d);
-    for (int n = 1, patch = 0; patch < d->patches->count; n += patch == first[n + 1]) {
+    for (int n = 1, patch = first[1]; patch < d->patches->count; n += patch == first[n + 1]) {
         const int most = gl->hardware ? d->patches->count : (int)(POINTS / points_of(n)) + 1,
                   end = gl->hardware ? d->patches->count : first[n + 1];
         const int count = end - patch < most ? end - patch : most;
@@ -61,7 +61,7 @@ static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], cons
 /* A tessellator makes about n^2 3 / 2 triangles of a patch: rings of 3 n, 3 (n - 2), ... quads. */
 static bool write_tessellated(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Mesh *mesh)
 {
-    int room, made = 0;
+    int room, made = 1; /* at least: a buffer of nothing is none */
     for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
         made += (first[n + 1] - first[n]) * (3 * n * n / 2 + 2);
     do {

@@ -157,6 +157,13 @@ void frame_use(const Render *render, const Framebuffer *framebuffer)
     render->gl->Viewport(-render->at[0], -render->at[1], render->whole[0], render->whole[1]);
 }
 
+/* Light that goes on, or is kept off, asks for what is beside the view. */
+static bool is_alone(const Render *render)
+{
+    const Scene *scene = render->scene;
+    return scene && (render->options.no_shadows || !scene_casts(scene)) && !scene_indirect_is(scene);
+}
+
 CacheSource frame_source(const Render *render)
 {
     return (CacheSource){render->scene,
@@ -167,6 +174,7 @@ CacheSource frame_source(const Render *render)
                          render->whole,
                          &render->compile,
                          render->triangles,
+                         is_alone(render),
                          render->transparency,
                          render->number,
                          render->look && render->look->scene == VOLUME_VIEW_lines};

@@ -176,6 +176,8 @@ const char *scene_indirect_name(Word word);
  * of Scatter, seeded by the index. scene_scatter.c */
 float scene_object_random(int object);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
+/* Some light does. */
+bool scene_casts(const Scene *scene);
 /* It can have shadows by a method of the list Shadows. */
 bool scene_light_takes(const SceneLight *light, Word method);
 /* 1 << Model of each surface model that materials of its objects show. */

@@ -34,6 +34,14 @@ static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light
     r->fine = false;
 }
 
+bool scene_casts(const Scene *scene)
+{
+    bool casts = false;
+    for (int i = 0; i < scene->light_count; i++)
+        casts |= scene_light_casts(&scene->lights[i]);
+    return casts;
+}
+
 /* Shadows of an Area are soft, which maps alone can be. */
 bool scene_light_takes(const SceneLight *light, Word method)
 {

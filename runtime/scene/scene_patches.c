@@ -171,14 +171,19 @@ void scene_mesh_free(SceneMesh *mesh)
     *mesh = (SceneMesh){.path = "", .part = -1};
 }
 
+static void to_world(const ScenePatches *patches, const float local[3], double world[3])
+{
+    const double *m = patches->world_from_local.m;
+    for (int i = 0; i < 3; i++)
+        world[i] = m[i] * (double)local[0] + m[4 + i] * (double)local[1] + m[8 + i] * (double)local[2] + m[12 + i];
+}
+
 /* By sums of both ends, whose order does not matter. */
 static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen, const float *const ends[2])
 {
-    const double *m = patches->world_from_local.m;
     double world[2][3], middle[3], way[3];
-    for (int i = 0; i < 6; i++)
-        world[i / 3][i % 3] = m[i % 3] * (double)ends[i / 3][0] + m[4 + i % 3] * (double)ends[i / 3][1] +
-                              m[8 + i % 3] * (double)ends[i / 3][2] + m[12 + i % 3];
+    for (int i = 0; i < 2; i++)
+        to_world(patches, ends[i], world[i]);
     for (int i = 0; i < 3; i++) {
         middle[i] = (world[0][i] + world[1][i]) / 2;
         way[i] = world[1][i] - world[0][i];
@@ -188,6 +193,31 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen, cons
     while (2 * parts <= patches->level && parts < wanted)
         parts *= 2;
     return (uint8_t)parts;
+}
+
+/* Points lie as far from a plane as the corners, or between, and are moved by `bound` at most. What is rounded by corners, or a symbol, may go farther. */
+static bool may_hide(const ScenePatches *patches)
+{
+    return patches->pixels > 0 && patches->dividing.push == 0 && patches->dividing.bulge == 0 && patches->method != WORD_Displacing_points;
+}
+
+/* All corners are outside of one plane by more than points move, and than a tenth of how far the patch is away. A bound of 0.1, a corner 5 away: from 0.6 outside. */
+static bool is_hidden(const ScenePatches *patches, const ScenePatch *patch, const double eye[3], const SceneSight *sight)
+{
+    const double beside = 0.1;
+    double corner[3][3], way[3];
+    for (int k = 0; k < 3; k++)
+        to_world(patches, patches->rows[patch->own[k]].position, corner[k]);
+    for (int i = 0; i < 3; i++)
+        way[i] = corner[0][i] - eye[i];
+    const double margin = patches->bound + beside * sqrt(scene_vector_dot(way, way));
+    bool hidden = false;
+    for (int i = 0; i < sight->count && !hidden; i++) {
+        hidden = true;
+        for (int k = 0; k < 3; k++)
+            hidden &= scene_vector_dot(sight->planes[i], corner[k]) + sight->planes[i][3] < -margin;
+    }
+    return hidden;
 }
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -215,7 +245,7 @@ static void bound_parts(const ScenePatches *patches, uint8_t (*parts)[3])
 }
 
 void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2],
-                          uint8_t (*parts)[3])
+                          const SceneSight *sight, uint8_t (*parts)[3])
 {
     SceneSeen seen = {.count = 1, .shorter = size[0] < size[1] ? size[0] : size[1]};
     for (int i = 0; i < 2; i++)
@@ -228,6 +258,9 @@ void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera
                                           patches->rows[own[(k + 2) % 3]].position};
             parts[t][k] = patches->pixels > 0 ? parts_of(patches, &seen, ends) : (uint8_t)patches->level;
         }
+    for (int t = 0; sight && may_hide(patches) && t < patches->count; t++)
+        if (is_hidden(patches, &patches->at[t], camera->position, sight))
+            memset(parts[t], 0, sizeof parts[t]);
     if (patches->pixels > 0)
         bound_parts(patches, parts);
     for (int t = 0; patches->apart && t < patches->count; t++)

@@ -40,9 +40,15 @@ bool scene_patch_ends(const ScenePatch *patch, const int *first, int k, uint32_t
 int scene_patch_parts(const uint8_t parts[3]);
 /* A mesh and its patches; leaves an empty one behind. */
 void scene_mesh_free(SceneMesh *mesh);
-/* Into how many parts edges 0 to 2 of each patch are divided as `camera` sees them, in a picture of `size` pixels, Triangles that share an
+/* Half spaces of the world, n x + d >= 0 inside, n of unit length: what is outside of one of them is not seen. */
+typedef struct {
+    const double (*planes)[4];
+    int count;
+} SceneSight;
+/* Into how many parts edges 0 to 2 of each patch are divided as `camera` sees them, in a picture of `size` pixels. Triangles that share an
  * edge have the same number for it: it goes by the edge's ends. It is a power of two, so that points of a coarser division are among those of a finer. Triangles are
- * at most as many as the patches say, as long as these are not more themselves. */
+ * at most as many as the patches say, as long as these are not more themselves. Beyond `sight`, NULL: there is no end, patches that go by the picture are in 0 parts, all edges: wherever
+ * their points are moved to, none is seen. What a tenth of its distance beside the view may come into it is kept. */
 void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2],
-                          uint8_t (*parts)[3]);
+                          const SceneSight *sight, uint8_t (*parts)[3]);
 #endif

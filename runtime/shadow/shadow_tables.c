@@ -119,10 +119,7 @@ static bool write_planes(Render *render)
 
 bool shadow_is_cast(const Render *render)
 {
-    bool casts = false;
-    for (int i = 0; i < render->scene->light_count; i++)
-        casts |= scene_light_casts(&render->scene->lights[i]);
-    return casts && !render->options.no_shadows;
+    return scene_casts(render->scene) && !render->options.no_shadows;
 }
 
 bool shadow_is_soft(const Render *render)

@@ -64,7 +64,7 @@ static void end(Bisected *b)
 /* Seconds; a negative number: it fails. */
 static double write(Bisected *b)
 {
-    const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}};
+    const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}, {0}};
     b->gl->Finish();
     const double begin = bench_now();
     if (!displaced_write(&b->displaced, &view, &b->mesh))
