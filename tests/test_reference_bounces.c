@@ -1,4 +1,6 @@
-/* Light by way of surfaces, of one bounce and of four, against Cycles, which traces paths: tests/reference/README.md. All of a frame's light, less that of lamps, where Cycles says that no edge is. */
+/* Light by way of surfaces, of one bounce and of four, against Cycles, which traces paths: tests/reference/README.md. All of a frame's light, less that of lamps, where Cycles says that no edge is.
+ *
+ *     test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one bounce with each of these keys */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,30 +13,42 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT = 1 << 14, BLOCK = 4 };
+enum { TEXT = 1 << 14, BLOCK = 4, EDGE = 128 };
 #define FOLDER SOURCE_FOLDER "/tests/reference/cycles/"
 
-/* The document, its line `indirect:` replaced. */
-static void read_text(const char *keys, char text[TEXT])
+/* The document, its lines `indirect:` and `image:` replaced, or what stands in for them. */
+static void read_text(const char *keys, int times, char text[TEXT])
 {
+    static const char image[] = "image: { width: ";
     FILE *file = fopen(FOLDER "bounced.yaml", "rb");
     char line[TEXT / 8];
     assert_non_null(file);
     *text = 0;
-    while (fgets(line, sizeof line, file))
+    while (fgets(line, sizeof line, file)) {
+        if (!strncmp(line, image, strlen(image)))
+            snprintf(line, sizeof line, "%s%d, height: %d }\n", image, EDGE * times, EDGE * times);
         strcat(text, strncmp(line, "indirect:", strlen("indirect:")) != 0 ? line : keys);
+    }
     fclose(file);
 }
 
-static float *draw(GlContext *gl, Render *render, const MatcOptions *options, const char *keys)
+/* Means over so many times as many pixels along each axis. */
+static float *draw(GlContext *gl, Render *render, int times, const char *keys)
 {
+    const MatcOptions options = frame_exact_options();
     char text[TEXT];
     MatcDocument *document;
-    read_text(keys, text);
-    Scene *scene = frame_scene(text, options, &document);
-    float *rgba = frame_floats_by(gl, render, scene);
+    read_text(keys, times, text);
+    Scene *scene = frame_scene(text, &options, &document);
+    float *rgba = frame_floats_by(gl, render, scene), *mean = calloc(4 * EDGE * EDGE, sizeof *mean);
+    assert_true(mean && scene->width == EDGE * times && scene->height == EDGE * times);
+    for (int i = 0; i < 4 * EDGE * times * EDGE * times; i++) {
+        const int lane = i % 4, x = i / 4 % (EDGE * times) / times, y = i / 4 / (EDGE * times) / times;
+        mean[4 * (y * EDGE + x) + lane] += rgba[i] / (float)(times * times);
+    }
+    free(rgba);
     frame_forget(scene, document);
-    return rgba;
+    return mean;
 }
 
 /* Over means of 4 x 4 pixels, as paths are noise: root of the mean square off, and how much more in the mean, both over the mean of light. */
@@ -74,25 +88,21 @@ static Result compare(const ReferencePicture *picture, const float *all, const f
     return result;
 }
 
-static void bounces_are_those_of_paths(void **state)
+typedef struct {
+    const char *name, *keys;
+    double off, more; /* at most */
+} Case;
+
+static void try_cases(int times, const Case *cases, int count)
 {
-    (void)state;
-    static const struct {
-        const char *name, *keys;
-        double off, more; /* at most */
-    } cases[] = {
-        {"cycles/bounced_1", "indirect: { bounces: 1, rays: 64, radius: 8 }\n", .035, .02},
-        {"cycles/bounced_1", "indirect: { bounces: 1, radius: 8 }\n", .045, .02},
-        {"cycles/bounced_4", "indirect: { bounces: 4, rays: 16, radius: 8 }\n", .04, .02},
-    };
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
-    float *direct = draw(gl, render, &options, "");
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    float *direct = draw(gl, render, times, "");
+    for (int i = 0; i < count; i++) {
         ReferencePicture picture;
         assert_true(reference_picture_read(cases[i].name, &picture));
-        float *all = draw(gl, render, &options, cases[i].keys);
+        float *all = draw(gl, render, times, cases[i].keys);
         const Result result = compare(&picture, all, direct);
         print_message("%s, %.*s: %.4f off, %.2f %% more in the mean, of %d blocks\n", cases[i].name,
                       (int)strcspn(cases[i].keys, "\n"), cases[i].keys, result.off, 100 * result.more, result.blocks);
@@ -105,8 +115,33 @@ static void bounces_are_those_of_paths(void **state)
     gl_close(gl);
 }
 
-int main(void)
+static void bounces_are_those_of_paths(void **state)
+{
+    (void)state;
+    static const Case cases[] = {
+        {"cycles/bounced_1", "indirect: { bounces: 1, rays: 64, radius: 8 }\n", .035, .02},
+        {"cycles/bounced_1", "indirect: { bounces: 1, radius: 8 }\n", .045, .02},
+        {"cycles/bounced_4", "indirect: { bounces: 4, rays: 16, radius: 8 }\n", .04, .02},
+    };
+    static const Case large = {"cycles/bounced_1", "indirect: { bounces: 1, radius: 8 }\n", .02, .005};
+    try_cases(1, cases, sizeof cases / sizeof *cases);
+    try_cases(4, &large, 1);
+}
+
+static int print_cases(int times, char **keys, int count)
+{
+    for (int i = 0; i < count && times > 0; i++) {
+        char text[TEXT / 8];
+        snprintf(text, sizeof text, "indirect: { bounces: 1, radius: 8, %s }\n", keys[i]);
+        try_cases(times, &(Case){"cycles/bounced_1", text, 9, 9}, 1);
+    }
+    return times <= 0;
+}
+
+int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(bounces_are_those_of_paths)};
+    if (argc > 2)
+        return print_cases(atoi(argv[1]), argv + 2, argc - 2);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
