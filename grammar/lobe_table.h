@@ -18,4 +18,6 @@ typedef struct {
 extern const LobeRow lobe_table[LOBE_COUNT];
 /* Bits of models, 1 << Model, go on with lobes. */
 #define MODEL_LOBE(lobe) (1u << (MODEL_COUNT + (lobe)))
+/* And one for a surface that may send light of its own. */
+#define MODEL_EMITS MODEL_LOBE(LOBE_COUNT)
 #endif

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/frame/frame.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_running.h"
 #include <math.h>
@@ -17,7 +18,8 @@ static const char body[] =
     "image: { width: 92, height: 70 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], target: [0, 0, .6], "
     "angle: 40 }\nlights: [{ light: Point, position: [1, -2, 3], intensity: 9 }]\nmaterials: { m: { material: Phong, "
     "diffuse: .6 } }\nobjects:\n"
-    "- { object: Box, material: m, size: [.6, .6, .9], transform: { translation: [.5, -.2, .45], rotation: [0, 0, .4] } "
+    "- { object: Box, material: m, size: [.6, .6, .9], transform: { translation: [.5, -.2, .45], rotation: [0, 0, .4] "
+    "} "
     "}\n- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
     "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, .7, 1] } }\n";
 
@@ -73,18 +75,20 @@ static void coarse_while_it_moves_then_fine(void **state)
     static const struct {
         const char *keys, *fine, *moving, *view;
         bool fragment;
-        double off;   /* at most, root of the mean square of what coarser frames differ by: of openness; light by few rays is bounded by its noise alone */
+        double
+            off; /* at most, root of the mean square of what coarser frames differ by: of openness; light by few rays is bounded by its noise alone */
         double exact; /* passes of means over one pixel round */
-    } cases[] = {{"rays: 16, radius: 1", "", "resolution: quarter", "open", false, .05, 0},
-                 {"rays: 16, radius: 1", "", "resolution: half", "open", false, .025, 0},
-                 {"rays: 16, method: march, bounces: 2", "resolution: half", "resolution: quarter", "indirect", false, 9, 0},
-                 {"rays: 8, method: screen, filter: none", "", "resolution: half", "indirect", true, 9, 1e-6}};
+    } cases[] = {
+        {"rays: 16, radius: 1", "", "resolution: quarter", "open", false, .05, 0},
+        {"rays: 16, radius: 1", "", "resolution: half", "open", false, .025, 0},
+        {"rays: 16, method: march, bounces: 2", "resolution: half", "resolution: quarter", "indirect", false, 9, 0},
+        {"rays: 8, method: screen, filter: none", "", "resolution: half", "indirect", true, 9, 1e-6}};
     static float now[LANES], want[LANES], fine[LANES];
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char keys[3][TEXT / 8];
-        snprintf(keys[0], sizeof keys[0], "%s, %s%smoving: %s", cases[i].keys, cases[i].fine, *cases[i].fine ? ", " : "",
-                 strchr(cases[i].moving, ':') + 2);
+        snprintf(keys[0], sizeof keys[0], "%s, %s%smoving: %s", cases[i].keys, cases[i].fine,
+                 *cases[i].fine ? ", " : "", strchr(cases[i].moving, ':') + 2);
         snprintf(keys[1], sizeof keys[1], "%s, %s", cases[i].keys, cases[i].moving);
         snprintf(keys[2], sizeof keys[2], "%s, %s", cases[i].keys, *cases[i].fine ? cases[i].fine : "resolution: full");
         FrameRunning rigs[3];
@@ -118,7 +122,8 @@ static void samples_begin_when_it_stands_still(void **state)
     static float now[LANES], want[LANES];
     GlContext *gl = frame_context();
     FrameRunning moving = open_rig(gl, "rays: 8, samples: 4, moving: quarter", "indirect", false),
-        still = open_rig(gl, "rays: 8, samples: 4", "indirect", false), coarse = open_rig(gl, "rays: 8, resolution: quarter", "indirect", false);
+                 still = open_rig(gl, "rays: 8, samples: 4", "indirect", false),
+                 coarse = open_rig(gl, "rays: 8, resolution: quarter", "indirect", false);
     for (int i = 0; i < 2; i++) {
         move(&moving, CAMERA);
         move(&still, CAMERA);
@@ -138,9 +143,52 @@ static void samples_begin_when_it_stands_still(void **state)
     gl_close(gl);
 }
 
+/* Nodes are made anew only where something may be another; a scene whose light is all from around, and that sends none of its own, has none. */
+static void nodes_are_made_when_needed(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *lights, *material;
+        bool has, by_time;
+    } cases[] = {{"{ light: Point, position: [1, 1, 3] }", "diffuse: .5", true, false},
+                 {"{ light: Point, position: [1, 1, 3] }", "diffuse: \"= [.2 + .3 * time, .4, .3]\"", true, true},
+                 {"{ light: Ambient }", "diffuse: .5", false, false},
+                 {"{ light: Hemisphere }", "diffuse: .5", false, false},
+                 {"{ light: Ambient }", "emissive: [.2, 0, 0]", true, false},
+                 {"{ light: Ambient }", "emissive: \"= [time, 0, 0]\"", true, true}};
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light"};
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024];
+        MatcDocument *document;
+        snprintf(text, sizeof text,
+                 "image: { width: 32, height: 32 }\nindirect: { method: voxels }\nvoxels: { size: 32 }\nlights:\n- %s\n"
+                 "objects:\n- { object: Box, material: { material: Phong, %s } }\n",
+                 cases[i].lights, cases[i].material);
+        Scene *scene = frame_scene(text, &options, &document);
+        Render *render = render_open(gl, &how);
+        assert_true(render && render_scene(render, scene) && render_frame(render));
+        assert_int_equal(render->radiance.drawn, cases[i].has);
+        scene->time = 2;
+        assert_true(render_changed(render, RENDER_TIME));
+        assert_int_equal(render->radiance.drawn, cases[i].has && !cases[i].by_time);
+        assert_true(render->voxels.drawn);
+        float *as_new = frame_floats(gl, scene, &how), *rgba = malloc(sizeof *rgba * 4 * 32 * 32);
+        assert_true(rgba && render_frame(render) && render_read(render, rgba));
+        assert_memory_equal(as_new, rgba, sizeof *rgba * 4 * 32 * 32);
+        free(rgba);
+        free(as_new);
+        render_close(render);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(coarse_while_it_moves_then_fine),
-                                       cmocka_unit_test(samples_begin_when_it_stands_still)};
+                                       cmocka_unit_test(samples_begin_when_it_stands_still),
+                                       cmocka_unit_test(nodes_are_made_when_needed)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

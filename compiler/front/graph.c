@@ -62,8 +62,16 @@ static unsigned lobes_of(const Node *principled)
     const bool thin = !value_is_zero(node_param(principled, P_Principled_thinWalled));
     unsigned lobes = 0;
     for (int lobe = 0; lobe < LOBE_COUNT; lobe++)
-        lobes |= (lobe == LOBE_diffuseTransparency && !thin) || value_is_zero(node_param(principled, lobe_table[lobe].param)) ? 0 : MODEL_LOBE(lobe);
+        lobes |=
+            (lobe == LOBE_diffuseTransparency && !thin) || value_is_zero(node_param(principled, lobe_table[lobe].param))
+                ? 0
+                : MODEL_LOBE(lobe);
     return lobes;
+}
+
+static unsigned emits(const Node *material, int param)
+{
+    return value_is_zero(node_param(material, param)) ? 0 : MODEL_EMITS;
 }
 
 /* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of an AlgorithmSwitch only the first is shown, and
@@ -73,13 +81,15 @@ static unsigned models_of(const Graph *graph, const Node *node)
     const KindRow *row = &kind_table[node->kind];
     unsigned models = 0;
     if (node->kind == KIND_Principled)
-        return 1u << MODEL_Principled | lobes_of(node);
+        return 1u << MODEL_Principled | lobes_of(node) | emits(node, P_Principled_emission);
+    if (node->kind == KIND_Phong)
+        return 1u << MODEL_Phong | emits(node, P_Phong_emissive);
     if (node->kind == KIND_Layer)
         models |= 1u << MODEL_Principled | MODEL_LOBE(LOBE_coat);
     for (int i = 0; i < row->count && !(models && node->kind == KIND_AlgorithmSwitch); i++)
         if (param_table[row->first + i].type == PARAM_Material)
             models |= node->params[i].kind == VALUE_node ? graph->models[node->params[i].node->index] : 0;
-    return models >> MODEL_Principled & 1 ? models & ~(1u << MODEL_Phong) : 1u << MODEL_Phong;
+    return models >> MODEL_Principled & 1 ? models & ~(1u << MODEL_Phong) : models | 1u << MODEL_Phong;
 }
 
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count)

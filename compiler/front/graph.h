@@ -133,7 +133,7 @@ typedef struct {
     struct Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     int def_count;
     int node_count;
-    unsigned *models; /* by node's index: 1 << Model of the surface model that a material shows, and MODEL_LOBE of the lobes that it may have */
+    unsigned *models; /* by node's index: 1 << Model of the surface model that a material shows, MODEL_LOBE of the lobes that it may have, and MODEL_EMITS */
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
     Names uniform_names; /* theirs, in the same order */

@@ -50,6 +50,8 @@ bool material_set_number(Material *m, const char *name, float number)
     return material_set(m, &(MaterialValue){name, 1, &number});
 }
 
+bool material_has(const Material *m, const char *name) { return uniforms_find(uniforms_of(m), name) >= 0; }
+
 static int most_textures(const Material *m)
 {
     const int units = context(m)->max_texture_units;

@@ -37,6 +37,8 @@ void material_delete(Material *material);
  * lanes, which is no error: a driver drops what a program does not use. */
 bool material_set(Material *material, const MaterialValue *value);
 bool material_set_number(Material *material, const char *name, float number);
+/* It has a uniform of that name. */
+bool material_has(const Material *material, const char *name);
 /* Adds a texture for a sampler. A program that has no such sampler goes without; false: see the context's error. */
 bool material_set_texture(Material *material, const char *sampler, const TextureSpec *spec);
 

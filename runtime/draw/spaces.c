@@ -51,6 +51,10 @@ static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_wo
     return result;
 }
 
+static const char time_name[] = "matc_time";
+
+bool spaces_by_time(const Material *material) { return material_has(material, time_name); }
+
 void spaces_set(const Spaces *spaces, Material *material)
 {
     const Mat4 clip_from_world = mat4_multiply(&spaces->clip_from_eye, &spaces->eye_from_world);
@@ -67,7 +71,7 @@ void spaces_set(const Spaces *spaces, Material *material)
     set(material, "matc_eyeFromWorld", 9, eye_from_world.m);
     set(material, "matc_eyePosition", 3, spaces->parallel ? spaces->rays[0] : spaces->eye);
     set(material, "matc_viewer", 4, spaces->viewer);
-    set(material, "matc_time", 1, &spaces->time);
+    set(material, time_name, 1, &spaces->time);
     set(material, "matc_object", 1, &spaces->object);
     set_plane(spaces, &depth_from_world, material);
 }

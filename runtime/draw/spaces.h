@@ -18,4 +18,6 @@ typedef struct {
 
 /* Sets those that the material's program has. */
 void spaces_set(const Spaces *spaces, Material *material);
+/* Its program reads the time. */
+bool spaces_by_time(const Material *material);
 #endif

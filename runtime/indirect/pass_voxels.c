@@ -2,6 +2,7 @@
  * or of the driver's, in waves of those that are apart; surfaces of the others set theirs along each axis; all are merged, then the levels above are made. */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
+#include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -259,6 +260,19 @@ void pass_voxels_forget(Render *render)
     for (int i = 0; i < render->cache.place_count; i++)
         render->voxels.drawn &= render->cache.places[i].cut < 0;
     render->radiance.drawn = false;
+}
+
+/* Also what casts shadows: nodes are lit anew. */
+void pass_voxels_forget_time(Render *render)
+{
+    const Cache *cache = &render->cache;
+    bool casts = false, cuts = false;
+    for (int i = 0; i < cache->caster_count; i++)
+        casts |= spaces_by_time(&cache->casters[i].material);
+    for (int i = 0; casts && i < cache->place_count; i++)
+        cuts |= cache->places[i].cut >= 0 && spaces_by_time(&cache->casters[cache->places[i].cut].material);
+    render->voxels.drawn &= !cuts;
+    render->radiance.drawn &= !casts && !radiance_by_time(render);
 }
 
 bool pass_voxels_change(Render *render)

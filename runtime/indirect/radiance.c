@@ -13,10 +13,19 @@ extern const char render_text_radiance_store[], render_text_radiance_number[], r
 
 enum { FLOATS = 4, BOUNCED_TEXELS = 4, ONCE_TEXELS = 2 };
 
+/* Nodes have light of lamps, and their own. */
+static bool is_lit(const Scene *scene)
+{
+    bool is = (scene_models(scene) & MODEL_EMITS) != 0;
+    for (int i = 0; i < scene->light_count; i++)
+        is |= view_space_section(&scene->lights[i], false) < VIEW_SPACE_SECTIONS;
+    return is;
+}
+
 bool radiance_needed(const Render *render)
 {
     return indirect_reads_radiance(render) && render->scene->indirect.bounces > 0 && !indirect_shows(render, "bent") &&
-           !indirect_shows(render, "open") && !indirect_shows(render, "visibility");
+           !indirect_shows(render, "open") && !indirect_shows(render, "visibility") && is_lit(render->scene);
 }
 
 int radiance_texels(const Render *render) { return render->scene->indirect.bounces > 1 ? BOUNCED_TEXELS : ONCE_TEXELS; }
@@ -90,8 +99,8 @@ static bool make_bounce(Render *render)
     snprintf(strides, sizeof strides, "#define LISTS_STRIDE %du\n#define RADIANCE_RAYS %d\n",
              transparency_stride(&render->set), render->scene->indirect.rays);
     const ScreenPassText text = {.body = {defined, strides, render_text_voxel_map, render_text_voxel_ray,
-                                          render_text_radiance, render_text_radiance_place,
-                                          render_text_indirect_basis, render_text_radiance_bounce},
+                                          render_text_radiance, render_text_radiance_place, render_text_indirect_basis,
+                                          render_text_radiance_bounce},
                                  .format = "RGBA16F",
                                  .compute = true,
                                  .block = 64};
@@ -202,6 +211,15 @@ bool radiance_param(Render *render, int material, const MaterialValue *value)
             found |= material_set(&render->radiance.keepers[cache->places[i].kind], value);
     render->radiance.drawn = false;
     return found;
+}
+
+bool radiance_by_time(const Render *render)
+{
+    const FrameRadiance *radiance = &render->radiance;
+    bool is = false;
+    for (int i = 0; i < radiance->keeper_count; i++)
+        is |= radiance->keepers[i].store && spaces_by_time(&radiance->keepers[i]);
+    return is;
 }
 
 void radiance_put(Text *out, const Render *render)

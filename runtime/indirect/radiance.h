@@ -37,6 +37,8 @@ void radiance_bind(const Render *render, int unit);
 void radiance_put(Text *out, const Render *render);
 /* Sets a uniform of an object's material. */
 bool radiance_param(Render *render, int material, const MaterialValue *value);
+/* What a surface sends goes by the time. */
+bool radiance_by_time(const Render *render);
 
 bool pass_radiance_make(Render *render);
 /* Objects, materials or lights are others. */

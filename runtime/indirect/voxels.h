@@ -37,6 +37,8 @@ bool pass_voxels_make(Render *render);
 void pass_voxels_draw(Render *render);
 /* Materials are others, and with them what is cut out. */
 void pass_voxels_forget(Render *render);
+/* The time is another: voxels and cached radiance stay where no program that they are made by reads it. */
+void pass_voxels_forget_time(Render *render);
 /* Objects have moved: they may be too far out, or too small, for the voxels that there are. */
 bool pass_voxels_change(Render *render);
 /* Tells a pass that has voxel_map.glsl in its text which unit the bricks are bound to, and where the eye is in them: when it is made, and when the camera or

@@ -262,7 +262,7 @@ bool render_changed(Render *render, unsigned what)
         return render_changed_meshes(render);
     if (what & RENDER_TIME) { /* cut-outs may be others */
         render->uncounted = true, render->shadows.drawn = false;
-        pass_voxels_forget(render);
+        pass_voxels_forget_time(render);
     }
     if (what & (RENDER_CAMERA | RENDER_TIME) || (what & RENDER_LIGHTS && cache_mesh_by_lights(&render->cache))) {
         look(render);
