@@ -43,7 +43,7 @@ typedef struct Formula {
     int width;       /* of the result, 1 to 4 */
     int depth;       /* most steps over one another */
     int inputs;      /* so many are used: 0 .. inputs - 1 */
-    bool jumps;      /* something in it jumps, and is no constant */
+    bool jumps;      /* something in it jumps, or is steep without end, and is no constant */
     bool varies;     /* it reads a point or an input */
     bool meshed;     /* it reads attributes of the mesh */
     unsigned groups; /* 1 << Group of what it reads of a point */

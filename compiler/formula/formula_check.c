@@ -244,6 +244,16 @@ static int width_of(Check *c, FormulaStep *step)
     }
 }
 
+/* A power is steep at 0 where its exponent is below 1. */
+static bool jumps(const Formula *f, const FormulaStep *step)
+{
+    if (step->kind != FORMULA_term || !term_table[step->row].jumps)
+        return false;
+    const bool power = step->row == TERM_pow || step->row == TERM_safepow;
+    const FormulaStep *exponent = power ? &f->steps[formula_argument(f, step, 1)] : NULL;
+    return !exponent || exponent->kind != FORMULA_number || exponent->number < 1;
+}
+
 /* What goes up with the steps: how many are over one another, whether it varies. */
 static void measure(Check *c, uint32_t number)
 {
@@ -258,7 +268,7 @@ static void measure(Check *c, uint32_t number)
     }
     if ((int)c->depth[number] > c->f->depth)
         c->f->depth = (int)c->depth[number];
-    c->f->jumps |= c->varies[number] && step->kind == FORMULA_term && term_table[step->row].jumps;
+    c->f->jumps |= c->varies[number] && jumps(c->f, step);
 }
 
 bool formula_check(const FormulaSource *source, Formula *f)
