@@ -7,7 +7,7 @@
  *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
  *
  * Tried are all means; points, unless the means are free or none; and, where not all fit, those that come first in the document, as many as
- * are found along a line through what none and all cost. Most programs are lowered once.
+ * are found by what the programs with none and with all say of each map. Most programs are lowered once; where not all fit, four times or so.
  *
  * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass averages none: it compares with a threshold,
  * and of a mean that loses what is finer than a texel. A leaf of holes, half of it transparent by 0.7 and half by 0.1:
@@ -113,27 +113,70 @@ static void swap(Trial **a, Trial **b)
 typedef struct {
     int fit, beyond;
     double cost_fit, cost_beyond;
+    const double *upto; /* by how many means: what the first so many add, about */
 } Bracket;
 
-/* Most maps cost about the same, so that a line through both ends says how many fit: 2,048 checkers are lowered 5 times, not 13. Where
- * two guesses have left more than half, the middle is next.
+/* What live nodes cost that were made for a map, by its index. */
+static void add_costs(const Ir *ir, double sign, double *costs, int count)
+{
+    Arena scratch = {0};
+    const uint8_t *live = ir_live(ir, &scratch);
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        const Node *map = live[ref] ? ir_origin_map(ir, ir_at(ir, ref)->origin) : NULL;
+        if (map && map->index < count)
+            costs[map->index] += sign * ir_cost(ir, ref);
+    }
+    arena_free(&scratch);
+}
+
+/* Means cost as much as both programs say of their maps, in proportion to what programs at both ends of the bracket were found to cost: of 62 checkers
+ * behind one noise the first pays for the slope of that. Where two guesses have left more than half, the middle is next.
  *
- *     none of 100 costs 200, all cost 2,200, and 220 may be spent: 1 is tried, and fits; 2 cost 240, and that is known */
+ *     none of 100 costs 200, all cost 2,200, each as much, and 220 may be spent: 1 is tried, and fits; 2 cost 240, and that is known */
 static int guess(const Bracket *b, double most, bool halve)
 {
     const int between = b->beyond - b->fit;
-    const double rise = b->cost_beyond - b->cost_fit;
-    double step = halve || !(rise > 0) ? between / 2 : floor((most - b->cost_fit) / rise * between);
-    return b->fit + (int)fmin(fmax(step, 1), between - 1);
+    const double rise = b->cost_beyond - b->cost_fit, about = b->upto[b->beyond] - b->upto[b->fit];
+    if (halve || !(rise > 0) || !(about > 0))
+        return b->fit + (between / 2 > 1 ? between / 2 : 1);
+    const double left = (most - b->cost_fit) * about / rise;
+    int step = 1;
+    while (step + 1 < between && b->upto[b->fit + step + 1] - b->upto[b->fit] <= left)
+        step++;
+    return b->fit + step;
+}
+
+/* Of a program that is gone. */
+typedef struct {
+    double cost;
+    double *of_map; /* by index */
+    int count;
+} Cost;
+
+static Cost cost_of(Trial *trial, Arena *arena)
+{
+    Cost cost = {.cost = trial->ir ? trial->cost : 0};
+    for (size_t i = 0; i < trial->seen.count; i++)
+        cost.count = trial->seen.at[i]->index >= cost.count ? trial->seen.at[i]->index + 1 : cost.count;
+    cost.of_map = ARENA_ARRAY(arena, double, cost.count);
+    if (trial->ir)
+        add_costs(trial->ir, 1, cost.of_map, cost.count);
+    return cost;
 }
 
 /* The one with as many means as fit, of those before the last, beside one that has none; all of them cost so much. The others are
  * dropped. */
-static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, double cost_of_all)
+static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, const Cost *all)
 {
     Trial *next = &trials[0], *best = &trials[1];
-    Bracket b = {.cost_fit = best->cost, .cost_beyond = cost_of_all};
+    Bracket b = {.cost_fit = best->cost, .cost_beyond = all->cost};
     const int *ends = ends_of(what->session->arena, &best->seen, &b.beyond);
+    double *upto = ARENA_ARRAY(what->session->arena, double, b.beyond + 1);
+    add_costs(best->ir, -1, all->of_map, all->count);
+    for (int i = 0, map = 0; i < b.beyond; i++) /* with what below it has slopes for it, which was resolved before it */
+        for (upto[i + 1] = upto[i]; map < ends[i]; map++)
+            upto[i + 1] += fmax(all->of_map[map], 0);
+    b.upto = upto;
     int slow = 0; /* guesses that left more than half */
     while (b.fit + 1 < b.beyond) {
         const int before = b.beyond - b.fit, tried = guess(&b, most, slow == MOST_SLOW);
@@ -165,9 +208,9 @@ static Trial *affordable(const LowerRequest *what, Trial trials[2])
         drop(plain);
         return all;
     }
-    const double cost_of_all = all->ir ? all->cost : 0;
+    const Cost cost = cost_of(all, what->session->arena);
     drop(all);
-    return plain->ir ? most_that_fit(what, trials, most, cost_of_all) : plain;
+    return plain->ir ? most_that_fit(what, trials, most, &cost) : plain;
 }
 
 static bool may_average(const Job *job) { return job->choice[AXIS_aa] == CHOICE_aa_auto && job->pass != PASS_shadow; }
