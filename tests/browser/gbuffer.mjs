@@ -3,9 +3,16 @@
 import {execFileSync} from 'node:child_process';
 import {Reference, atPoints} from './values.mjs';
 
-const layouts = ['compact', 'thin', 'thesis', 'radix', 'integer'];
-const caseOf = {opaque: 0, clear: 1, glow: 2, all: 3}; // of the materials in surfaces.yaml, in a layout with cases
-const documents = ['tests/browser/surfaces.yaml'];
+// Documents, the layouts that hold their materials, and by material the titles of the case that it is stored in, in some layout or other;
+// where a layout has none of these, it is the first.
+const phong = {document: 'tests/browser/surfaces.yaml', layouts: ['compact', 'thin', 'thesis', 'radix', 'integer'], titles: {
+  opaque: [], clear: ['Transparent, and neither emissive nor ambient.'], glow: ['Transparent, without diffuse transparency.'], all: ['All slots at once.']
+}};
+const principled = {document: 'tests/browser/principled.yaml', layouts: ['compact', 'integer'], titles: {
+  plain: ['The model Principled.'], coated: ['Principled with a coat.', 'The model Principled, with a coat and fuzz.'],
+  velvet: ['Principled with fuzz.', 'The model Principled, with a coat and fuzz.']
+}};
+const sets = [phong, principled].flatMap(({document, layouts, titles}) => layouts.map(layout => ({document, layout, titles})));
 
 // "emissive.b, diffuseTransparency.r" as [{slot, lane}]; no letters: all lanes.
 function lanesOf(text) {
@@ -15,14 +22,17 @@ function lanesOf(text) {
   });
 }
 
-// The fields of each case of a layout as `--explain` tells them: encoding, range, error, whether that is relative, a part or an angle.
+// The fields of each case of a layout as `--explain` tells them, by the case's title, the first by '': encoding, range, error, whether
+// that is relative, a part or an angle; or what a slot is always.
 function explain(matc, layout) {
-  const cases = [[]];
+  let fields = [];
+  const cases = new Map([['', fields]]);
   for (const line of execFileSync(matc.program, ['--explain', layout], {encoding: 'utf8'}).split('\n')) {
-    if (/^Case \d/.test(line)) cases.push([]);
+    const title = /^Case \d+: (.*)$/.exec(line)?.[1];
+    if (title) cases.set(title, fields = []);
     const [, lanes, encoding, range, error] = line.trim().split(/ {2,}/), numbers = /^(\S+) to (\S+)$/.exec(range ?? '');
     if (numbers)
-      cases.at(-1).push({lanes: lanesOf(lanes), encoding, low: +numbers[1], high: +numbers[2], error: parseFloat(error),
+      fields.push({lanes: lanesOf(lanes), encoding, low: +numbers[1], high: +numbers[2], error: parseFloat(error),
                          unit: error.endsWith('%') ? 'percent' : error.endsWith('degrees') ? 'degrees' : 'absolute'});
   }
   return cases;
@@ -36,7 +46,7 @@ function reader(unpack, slots) {
          slots.map((slot, i) => `    if (which == ${i}) color = ${value(slot)};\n`).join('') + '}\n';
 }
 const screen = '#version 300 es\nvoid main() {\n    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n';
-const members = unpack => [...unpack.matchAll(/^    (float|vec3|vec4) (\w+);/gm)];
+const members = unpack => [...unpack.matchAll(/^    (float|vec2|vec3|vec4) (\w+);/gm)];
 const storedSlots = unpack => members(unpack).map(([, type, name]) => ({name, lanes: type === 'float' ? 1 : +type[3]}));
 
 const angle = (a, b) => {
@@ -67,11 +77,11 @@ function compareSlot(fields, slot, wanted, read) {
 export async function roundTrips({matc, run, inPart, report, progress}) {
   const reference = new Reference(matc);
   let count = 0;
-  const part = inPart(layouts);
-  for (const [done, layout] of part.entries()) {
-    progress(done, part.length, `layouts, ${count} numbers`);
+  const part = inPart(sets);
+  for (const [done, {document, layout, titles}] of part.entries()) {
+    progress(done, part.length, `sets and layouts, ${count} numbers`);
     const cases = explain(matc, layout);
-    for (const draw of matc.batch([`--layout=${layout}`], documents)) {
+    for (const draw of matc.batch([`--layout=${layout}`, '--trigonometry=bounded'], [document])) {
       const slots = storedSlots(draw.unpack), keep = `${layout} ${draw.material} `, pack = {...atPoints(draw.job), keep};
       const unpack = slots.map((_, i) => ({
         vertex: screen, fragment: reader(draw.unpack, slots), formats: ['float'], width: pack.width, height: 1, points: 0, attributes: {},
@@ -82,7 +92,7 @@ export async function roundTrips({matc, run, inPart, report, progress}) {
         report(`${draw.what}: ${error}`);
         continue;
       }
-      const fields = cases[Math.min(caseOf[draw.material], cases.length - 1)];
+      const fields = cases.get(titles[draw.material].find(title => cases.has(title)) ?? '');
       for (let point = 0; point < pack.points; point++) {
         const wanted = await reference.atPoint(draw, point, []);
         slots.forEach((slot, i) => {
@@ -93,5 +103,5 @@ export async function roundTrips({matc, run, inPart, report, progress}) {
       }
     }
   }
-  return `${count} numbers of ${part.length} layouts come back`;
+  return `${count} numbers of ${part.length} sets and layouts come back`;
 }

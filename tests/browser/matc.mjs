@@ -42,6 +42,7 @@ export class Matc {
       program, reflected, unpack,
       job: {
         vertex: program.vertexText, fragment: program.fragmentText, formats: colours.map(output => output.format),
+        constants: Object.fromEntries((reflected.vertex?.attributes ?? []).filter(a => a.default).map(a => [a.location, a.default])),
         uniforms: reflected.uniforms.filter(u => u.default).map(u => ({name: u.name, type: u.type, value: use.uniforms?.[u.name] ?? u.default})),
         block: program.constants && {name: program.constants.block, size: program.constants.size,
                                      members: members.map((m, i) => ({...m, value: use.constants[i]}))},
@@ -57,6 +58,10 @@ export class Matc {
       this.textures.set(key, {key, mipmaps: filter === 'mipmaps', format, wrap, anisotropy, sent: false, ...texelsOf(at, colorspace)});
     }
     return key;
+  }
+
+  slots() {
+    return [...execFileSync(this.program, ['--list=slots'], {encoding: 'utf8'}).matchAll(/^  (\w+)/gm)].map(([, name]) => name);
   }
 
   // The slots of a material at a point, {slot: [lanes]}, by the reference in double precision.

@@ -1,6 +1,6 @@
 // What runs in the page: WebGL 2 programs are linked, drawn into targets of their own, and read back. A job is
 //   {vertex, fragment, formats: [...], width, height, points: how many, or 0 for a triangle, attributes: {location: {lanes, values}},
-//    uniforms: [{name, type, value}], block: {name, size, members: [{type, offset, value}]}, textures: [{name, key}], keep: key}
+//    constants: {location: values} of attributes that are alike at all vertices, uniforms: [{name, type, value}], block: {name, size, members: [{type, offset, value}]}, textures: [{name, key}], keep: key}
 // run(job) gives {error}, or {pixels: [numbers of each target], offsets: {name: byte}, drawn: whether anything is}. With `keep`
 // the targets stay as textures key + number, for other jobs. Programs and textures are remembered. There is always a depth buffer.
 const gl = document.querySelector('canvas').getContext('webgl2', {antialias: false});
@@ -168,7 +168,7 @@ function isDrawn(job, pixels) {
   return !job.formats.length || pixels[0].some((n, i) => i % 4 === 0 && n !== before);
 }
 
-function setAttributes(attributes) {
+function setAttributes(attributes, constants) {
   for (let i = 0; i < 5; i++) gl.disableVertexAttribArray(i);
   for (const [location, {lanes, values}] of Object.entries(attributes)) {
     gl.bindBuffer(gl.ARRAY_BUFFER, buffers[location]);
@@ -176,6 +176,7 @@ function setAttributes(attributes) {
     gl.enableVertexAttribArray(location);
     gl.vertexAttribPointer(location, lanes, gl.FLOAT, false, 0, 0);
   }
+  for (const [location, values] of Object.entries(constants)) gl.vertexAttrib4f(location, ...[0, 0, 0, 1].map((none, i) => values[i] ?? none));
 }
 function run(job) {
   const program = link(job.vertex, job.fragment);
@@ -189,7 +190,7 @@ function run(job) {
   setUniforms(program, job.uniforms);
   if (job.block) setBlock(program, job.block);
   setTextures(program, job.textures);
-  setAttributes(job.attributes);
+  setAttributes(job.attributes, job.constants ?? {});
   gl.drawArrays(job.points ? gl.POINTS : gl.TRIANGLES, 0, job.points || 3);
   const pixels = readTargets(job), offsets = offsetsOf(program), fault = gl.getError();
   dropTargets(job, made);

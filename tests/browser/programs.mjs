@@ -15,7 +15,8 @@ const uniforms = [
   {name: 'matc_eyeFromWorld', type: 'mat3', value: unit3},
   {name: 'matc_planeOrigin', type: 'vec3', value: [0, 0, 0]}, {name: 'matc_planeU', type: 'vec3', value: [1, 0, 0]},
   {name: 'matc_planeV', type: 'vec3', value: [0, 1, 0]}, {name: 'matc_depthZ', type: 'vec4', value: [0, 0, -1.005, 2.915]},
-  {name: 'matc_clipW', type: 'vec4', value: [0, 0, -1, 3]}
+  {name: 'matc_clipW', type: 'vec4', value: [0, 0, -1, 3]}, {name: 'matc_viewer', type: 'vec4', value: [0, 0, 3, 1]},
+  {name: 'matc_time', type: 'float', value: [0.25]}, {name: 'matc_object', type: 'float', value: [0.5]}
 ];
 
 const product = (...lists) => lists.reduce((rows, list) => rows.flatMap(row => list.map(more => [...row, ...more])), [[]]);

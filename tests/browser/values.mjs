@@ -4,9 +4,10 @@ import fs from 'node:fs';
 import path from 'node:path';
 
 // Odd multiples of 1/512: on no border of a Checker whose scale is a small whole number, and exact as floats, which what the
-// vertex program makes of them by the matrices below is too. Each a local position, a normal and a texture coordinate.
+// vertex program makes of them by the matrices below is too. Each a local position, a normal, which dP/du never lies along as it
+// would have no direction across it, and a texture coordinate.
 const points = [
-  [[173, -305, 411], [3, -1, 2], [357, 181]], [[-421, 97, 233], [1, 0, 0], [-143, 467]], [[611, 523, -189], [-2, 3, 1], [701, -389]],
+  [[173, -305, 411], [3, -1, 2], [357, 181]], [[-421, 97, 233], [1, 0, -1], [-143, 467]], [[611, 523, -189], [-2, 3, 1], [701, -389]],
   [[-55, -747, -1001], [0, 0, 1], [-873, -219]], [[1367, 31, 645], [1, 2, -2], [45, 1003]], [[9, 7, 5], [1, 1, 1], [13, 3]],
   [[-2311, 1805, 77], [0, -3, 1], [3071, 2557]], [[821, -1293, -3307], [-1, -1, 4], [-5, -7901]]
 ].map(([position, normal, texcoord]) => ({position: position.map(n => n / 512), normal, texcoord: texcoord.map(n => n / 512)}));
@@ -17,7 +18,9 @@ const turned = ([x, y, z]) => [-y, x, z];
 const uniforms = [
   {name: 'matc_worldFromLocal', type: 'mat4', value: worldFromLocal}, {name: 'matc_worldNormalFromLocal', type: 'mat3', value: turn},
   {name: 'matc_eyeNormalFromLocal', type: 'mat3', value: turn}, {name: 'matc_clipFromWorld', type: 'mat4', value: worldFromLocal},
-  {name: 'matc_ior', type: 'float', value: [1]}, {name: 'matc_eyeFromWorld', type: 'mat3', value: [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+  {name: 'matc_ior', type: 'float', value: [1]}, {name: 'matc_eyeFromWorld', type: 'mat3', value: [1, 0, 0, 0, 1, 0, 0, 0, 1]},
+  {name: 'matc_viewer', type: 'vec4', value: [5.5, -7.25, 9.125, 1]}, {name: 'matc_time', type: 'float', value: [1.375]},
+  {name: 'matc_object', type: 'float', value: [0.6875]}
 ];
 const attribute = values => ({lanes: values[0].length, values: values.flat()});
 const attributes = {
@@ -29,7 +32,8 @@ const attributes = {
 function channels({position, normal, texcoord: [u, v]}) {
   const [x, y, z] = position, [rx, ry, rz] = turned(position), [nx, ny, nz] = turned(normal);
   return {u, v, x, y, z, px: 2 * rx + 0.25, py: 2 * ry - 0.5, pz: 2 * rz + 1, nx, ny, nz,
-          dpxdu: 0, dpydu: 2, dpzdu: 0, dpxdv: -2, dpydv: 0, dpzdv: 0};
+          dpxdu: 0, dpydu: 2, dpzdu: 0, dpxdv: -2, dpydv: 0, dpzdv: 0,
+          ex: 5.5, ey: -7.25, ez: 9.125, ew: 1, time: 1.375, objectRandom: 0.6875};
 }
 
 // A job that draws every point as a pixel, its varyings by matc's own vertex program.
@@ -119,11 +123,9 @@ const variants = [
   ['--trigonometry=bounded'], ['--trigonometry=native'], ['--trigonometry=bounded', '--noise=groimp'], ['--trigonometry=bounded', '--noise=simplex'],
   ['--constants=baked', '--precision=exact'], ['--trigonometry=bounded', '--aa=box', '--derivatives=analytic'], ['--trigonometry=bounded', '--aa=none']
 ];
-const slots = ['normal', 'diffuse', 'alpha', 'specular', 'shininess', 'transparency', 'transparencyShininess', 'interpolatedTransparency',
-               'diffuseTransparency', 'ambient', 'emissive', 'ior'];
 
 export async function drawValues({matc, documents, share, root, run, all, inPart, report, progress}) {
-  const bounds = readBounds(path.join(root, 'tests/bounds.def')), reference = new Reference(matc), worst = new Map();
+  const bounds = readBounds(path.join(root, 'tests/bounds.def')), reference = new Reference(matc), worst = new Map(), slots = matc.slots();
   const combinations = inPart([...variants.entries()].flatMap(([turn, options]) => slots.map(slot => ({turn, options, slot}))));
   let count = 0;
   for (const [done, {turn, options, slot}] of combinations.entries()) {
