@@ -1,5 +1,5 @@
 /* The programs that tessellate, drawn under OSMesa: triangles whose edges have other levels than their neighbours' leave no hole in what is closed, nor beside
- * the outline that a bound allows; what has no such programs says so. */
+ * the outline that a bound allows; attributes of a mesh come through; what has no such programs says so. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,6 +12,10 @@
 
 static const char text[] = "material: Phong\ndisplacement: { map: VolumeTurbulence, size: 1.5, octaves: 2, noiseRatio: 0.3 }\n"
                            "displacementScale: 0.15\n";
+
+/* What a mesh has besides, where its vertices say the same as their positions: how far the two are apart, and what it says. */
+static const char with_attribute[] = "material: Phong\ndiffuse: \"= wet = attribute('wetness', float, 0); [abs(wet - x), wet, 1]\"\n"
+                                     "displacement: { map: Gradient }\ndisplacementScale: 0.2\n";
 
 static const char white[] = "#version 450 core\nlayout(location = 0) out vec4 fragment0;\nvoid main() {\n    fragment0 = vec4(1.0);\n}\n";
 
@@ -117,6 +121,66 @@ static void edges_of_other_levels_leave_no_hole(void **state)
     assert_true(within > 64 * 400 && torn >= 10);
 }
 
+/* Its values are those of the position's x, in the same vertices. */
+static void feed_wetness(const GlContext *gl, const Mesh *mesh)
+{
+    enum { FIRST_OWN = 11 }; /* language.md */
+    gl->BindVertexArray(mesh->array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
+    gl->EnableVertexAttribArray(FIRST_OWN);
+    gl->VertexAttribPointer(FIRST_OWN, 1, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex), (const void *)offsetof(ShapeVertex, position));
+}
+
+/* Between the corners of a patch they are mixed as the position is, before it is displaced. */
+static void attributes_are_handed_on(void **state)
+{
+    Rig *rig = RIG;
+    const float eye[3] = {0, -3, 1.5f}, levels = 5;
+    Shape ball;
+    Mesh mesh;
+    MatcOptions options;
+    Drawn d;
+    double worst = 0, least = 1, most = -1;
+    matc_options_init(&options);
+    options.target = "glsl450";
+    options.pass = "value";
+    options.slot = "diffuse";
+    d.document = matc_read("wet.yaml", with_attribute, sizeof with_attribute - 1, &options);
+    d.program = matc_compile(d.document, 0, MATC_FRAGMENT | MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL, &options);
+    if (!matc_ok(d.program))
+        fail_msg("%s", matc_program_diagnostics(d.program, MATC_TEXT));
+    const ProgramText stages = {.vertex = {matc_output(d.program, MATC_TESSVERTEX, NULL)},
+                                .control = {matc_output(d.program, MATC_TESSCONTROL, NULL)},
+                                .evaluation = {matc_output(d.program, MATC_TESSEVAL, NULL)},
+                                .fragment = {matc_output(d.program, MATC_FRAGMENT, NULL)}};
+    if (!material_make(rig->store, d.program, &stages, &d.material))
+        fail_msg("%s", rig->gl->error);
+    assert_true(gl_use(rig->gl) && shape_make_detailed(SHAPE_sphere, (int[]){8, 4}, &ball) && mesh_make_of(rig->gl, &ball, &mesh));
+    Space space = space_camera(eye, (float[3]){0, 0, 0}, 0.5f);
+    space.world_from_local = mat4_identity();
+    assert_true(rig_begin(rig, &rig->full));
+    spaces_set(&space, &d.material);
+    set_uniform(&d, "matc_levelFromLocal", 16, space.world_from_local.m);
+    set_uniform(&d, "matc_levelEye", 3, eye);
+    set_uniform(&d, "matc_levels", 1, &levels);
+    material_use(&d.material);
+    feed_wetness(rig->gl, &mesh);
+    rig->gl->DrawElements(GL_PATCHES, mesh.index_count, GL_UNSIGNED_INT, NULL);
+    rig->gl->BindVertexArray(0);
+    assert_true(rig_finish(rig, &rig->full));
+    for (int i = 0; i < SIDE * SIDE; i++)
+        if (rig->color[0][i][2] == 1) {
+            worst = fmax(worst, rig->color[0][i][0]);
+            least = fmin(least, rig->color[0][i][1]);
+            most = fmax(most, rig->color[0][i][1]);
+        }
+    print_message("wetness from %.2f to %.2f, %.1e from the position at most\n", least, most, worst);
+    assert_true(worst < 1e-6 && least < -.5 && most > .5);
+    mesh_delete(rig->gl, &mesh);
+    shape_free(&ball);
+    close_drawn(&d);
+}
+
 static void others_have_none(void **state)
 {
     (void)state;
@@ -140,6 +204,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edges_of_other_levels_leave_no_hole),
+        cmocka_unit_test(attributes_are_handed_on),
         cmocka_unit_test(others_have_none),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
