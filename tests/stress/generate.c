@@ -336,12 +336,8 @@ static Kind choose_material(Choices *c, int depth)
     return chance(c, 1, 4) ? others[choose(c, depth > 1 ? 3 : depth ? 5 : 7)] : KIND_Phong;
 }
 
-/* Surfaces stay where they are: the judge has no vertices. tests/test_displacement.c has what moves them. */
-static bool moves_surface(const ParamRow *row)
-{
-    static const char moves[] = "displacement";
-    return !strncmp(row->name, moves, sizeof moves - 1);
-}
+/* Surfaces stay where they are, but for a relief's: the judge has no vertices. tests/test_displacement.c has what moves them. */
+static bool moves_surface(const ParamRow *row) { return !strncmp(row->name, "displacement", strlen("displacement")); }
 
 enum { OWN_MANY = 10 }; /* parameters of a material, those of displacement among them, from which on fewer are given */
 
@@ -378,19 +374,22 @@ void generate_document(Choices *c, Text *out)
     put_material(&g, 0);
 }
 
+/* A BumpMap's, or the surface's own: its normal is then that of the surface after it was displaced. */
 void generate_relief(Choices *c, Text *out)
 {
     static const int sizes[] = {1, 2, 4, 6, 9, 14};
+    static const char bump[] = "input: { map: BumpMap, displacement: ", *const moves[] = {bump, bump, bump, bump, "displacementScale: 0.25\ndisplacement: ", "displacementVector: "};
     Generator g = {.c = c, .out = out, .hostile = chance(c, 1, 8), .relief = true};
     g.left = sizes[choose(c, sizeof sizes / sizeof *sizes)];
-    text_put(out, "material: Phong\ninput: { map: BumpMap, displacement: ");
+    const char *begin = moves[choose(c, sizeof moves / sizeof *moves)];
+    text_format(out, "material: Phong\n%s", begin);
     put_map(&g);
-    if (chance(c, 1, 3)) {
+    if (begin == bump && chance(c, 1, 3)) {
         g.left = 2;
         text_put(out, ", input: ");
         put_map(&g);
     }
-    text_put(out, " }\n");
+    text_put(out, begin == bump ? " }\n" : "\n");
 }
 
 void generate_map(Choices *c, Text *out, int size)

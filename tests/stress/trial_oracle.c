@@ -27,7 +27,7 @@ void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Trial
 {
     Surface surface;
     SlotValues sides[SPAN_COUNT];
-    const bool differs = t->exact && t->bumps[slot];
+    const bool differs = t->bumps[slot] && (t->exact || oracle_displaced(t->material)); /* of true displacement there are no others */
     memset(&w->room, 0, sizeof w->room);
     point_surface(point, front, &surface);
     oracle_judge_slopes(t->oracle, true);
