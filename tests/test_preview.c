@@ -149,6 +149,9 @@ static void slots_are_shown(void **state)
         {"fuzzRoughness", "{ material: Principled, fuzz: 1, fuzzRoughness: 0.75 }", {191.25, 191.25, 191.25}},
         {"anisotropy", "{ material: Principled, anisotropy: 0.5 }", {191.25, 127.5, 127.5}}, /* along the horizon, where the eye's x is */
         {"transmission", "{ material: Principled, transmission: 0.75 }", {191.25, 191.25, 191.25}},
+        {"film", "{ material: Principled, film: 0.75 }", {191.25, 191.25, 191.25}},
+        {"filmPath", "{ material: Principled, film: 1, filmThickness: 0.125, filmIor: 2 }", {127.5, 127.5, 127.5}},
+        {"filmIor", "{ material: Principled, film: 1, filmIor: 1.5 }", {127.5, 127.5, 127.5}},
         {"model", "{ material: Principled }", {255, 255, 255}},
         {"model", "{}", {0, 0, 0}},
     };

@@ -178,6 +178,9 @@ Ref lower_coat_slot(Lower *l, const Coat *coat, Slot slot, Ref diffuse, const En
 Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env *env);
 Ref lower_coated_reflectance(Lower *l, const Coat *coat, Ref ior, const Env *env);
 Ref lower_coated_emission(Lower *l, const Coat *coat, Ref sent, const Env *env);
+/* What of a film's index of refraction is left where that lies above, in its slot's range. */
+Ref lower_coated_film(Lower *l, const Coat *coat, Ref ior, const Env *env);
+Ref lower_film_ior(Ir *ir, Ref ior);
 /* A slot of a lobe, absent where its weight is not above 0. */
 Ref lower_where_there(Ir *ir, Ref weight, Slot slot, Ref value);
 /* ((ior - 1) / (ior + 1))^2 */

@@ -114,6 +114,21 @@ Ref lower_coated_emission(Lower *l, const Coat *coat, Ref sent, const Env *env)
     return ir_is_number(l->ir, weight(l, coat, env), 0) ? sent : build_mul(l->ir, sent, colored(l, coat, env));
 }
 
+Ref lower_coated_film(Lower *l, const Coat *coat, Ref ior, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref there = weight(l, coat, env);
+    if (ir_is_number(ir, there, 0))
+        return ior;
+    Ref above = build_mix(ir, build_float(ir, 1), coat_ior(l, coat, env), there);
+    return lower_film_ior(ir, build_div(ir, ior, build_max(ir, above, build_float(ir, LEAST))));
+}
+
+Ref lower_film_ior(Ir *ir, Ref ior)
+{
+    return build_clamp(ir, ior, build_float(ir, slot_table[SLOT_filmIor].low), build_float(ir, slot_table[SLOT_filmIor].high));
+}
+
 /* The index of refraction against air that reflects so much along the normal. */
 static Ref ior_of(Ir *ir, Ref reflectance)
 {
@@ -143,6 +158,10 @@ Ref lower_Layer(Lower *l, const Node *m, Slot slot, const Env *env)
     const Node *side = lower_param_node(m, P_Layer_base);
     const bool own = slot == SLOT_coat || slot == SLOT_coatTint || slot == SLOT_coatRoughness || slot == SLOT_coatReflectance;
     const Ref base = build_convert(ir, lower_value_slot(l, side, true, slot, env), slot_table[slot].type);
+    if (slot == SLOT_filmIor) {
+        const Ref film = lower_value_slot(l, side, true, SLOT_film, env);
+        return ir_is_number(ir, film, 0) ? base : lower_where_there(ir, film, slot, lower_coated_film(l, &coat, base, env));
+    }
     if (!own)
         return below(l, &coat, slot, base, env);
     const Ref diffuse = build_convert(ir, lower_value_slot(l, side, true, SLOT_diffuse, env), TYPE_vec3);

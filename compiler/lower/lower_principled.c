@@ -127,6 +127,19 @@ static Ref fuzz(Lower *l, const Node *m, Slot slot, const Env *env)
     return lower_where_there(l->ir, there, slot, value);
 }
 
+static Ref film(Lower *l, const Node *m, const Coat *coat, Slot slot, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref there = share(l, m, P_Principled_film, env);
+    if (slot == SLOT_film || ir_is_number(ir, there, 0))
+        return slot == SLOT_film ? there : build_float(ir, slot_table[slot].absent);
+    Ref ior = lower_film_ior(ir, red(l, m, P_Principled_filmIor, env)), zero = build_float(ir, 0), most = build_float(ir, slot_table[SLOT_filmPath].high);
+    if (slot == SLOT_filmIor)
+        return lower_where_there(ir, there, slot, lower_coated_film(l, coat, ior, env));
+    Ref path = build_scale(ir, build_mul(ir, red(l, m, P_Principled_filmThickness, env), ior), 2);
+    return lower_where_there(ir, there, slot, build_clamp(ir, path, zero, most));
+}
+
 /* Of the angle t of x toward y, twice: (cos 2 t, sin 2 t); of none (1, 0). */
 static Ref twice_the_angle(Ir *ir, Ref x, Ref y)
 {
@@ -229,6 +242,10 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
     case SLOT_fuzzColor:
     case SLOT_fuzzRoughness:
         return fuzz(l, m, slot, env);
+    case SLOT_film:
+    case SLOT_filmPath:
+    case SLOT_filmIor:
+        return film(l, m, &coat, slot, env);
     case SLOT_anisotropy:
         return anisotropy(l, m, env);
     default:

@@ -64,7 +64,7 @@ static void set_neutral(const Environment *environment, SlotValues *result)
 {
     memset(result, 0, sizeof *result);
     oracle_set_normal(environment, &environment->surface->root[channel_id(GROUP_N, 0)], result);
-    result->lane[SLOT_alpha][0] = 1;
+    result->lane[SLOT_alpha][0] = result->lane[SLOT_filmIor][0] = 1;
     for (int lane = 0; lane < 3; lane++)
         result->lane[SLOT_coatTint][lane] = 1;
     result->lane[SLOT_shininess][0] = DEFAULT_EXPONENT;

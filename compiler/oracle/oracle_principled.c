@@ -31,6 +31,8 @@ static OracleCoat coat_of(Environment *environment, const Node *node, const int 
     return coat;
 }
 
+static double film_ior(double ior) { return fmin(fmax(ior, slot_table[SLOT_filmIor].low), slot_table[SLOT_filmIor].high); }
+
 /* The base's slots below it, then its own; `ior` is the base's against air, `specular` the weight of what that reflects. */
 static void lay(const OracleCoat *coat, double ior, double specular, SlotValues *result)
 {
@@ -49,6 +51,8 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
         result->lane[SLOT_coatTint][i] = tint * (1 - by + by * dark);
         result->lane[SLOT_emissive][i] *= tint;
     }
+    if (result->lane[SLOT_film][0] > 0)
+        result->lane[SLOT_filmIor][0] = film_ior(result->lane[SLOT_filmIor][0] / fmax(1 - w + w * coat->ior, LEAST));
     result->lane[SLOT_coat][0] = w;
     result->lane[SLOT_coatRoughness][0] = coat->roughness;
     result->lane[SLOT_coatReflectance][0] = own;
@@ -102,6 +106,17 @@ static void let_through(Environment *environment, const Node *material, SlotValu
     result->lane[SLOT_transmission][0] = opacity * most;
 }
 
+static void set_film(Environment *environment, const Node *material, SlotValues *result)
+{
+    const double there = unit(ask_red(environment, material, P_Principled_film)), ior = film_ior(ask_red(environment, material, P_Principled_filmIor));
+    const double path = 2 * ask_red(environment, material, P_Principled_filmThickness) * ior;
+    if (!(there > 0))
+        return;
+    result->lane[SLOT_film][0] = there;
+    result->lane[SLOT_filmIor][0] = ior;
+    result->lane[SLOT_filmPath][0] = fmin(fmax(path, 0), slot_table[SLOT_filmPath].high);
+}
+
 /* Both sides of thin walls that let light through reflect. */
 static double of_both_sides(Environment *environment, const Node *material, double once)
 {
@@ -138,6 +153,7 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     result->lane[SLOT_model][0] = MODEL_Principled;
     set_anisotropy(environment, material, result);
     let_through(environment, material, result);
+    set_film(environment, material, result);
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, ior, weight, result);
     result->lane[SLOT_reflectance][0] = of_both_sides(environment, material, result->lane[SLOT_reflectance][0]);

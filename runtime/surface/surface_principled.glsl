@@ -13,10 +13,15 @@ struct Lit {
     vec3 metalAgain;  // the share of what was reflected twice and more, of metal
     vec3 even, gloss; // what it sends of light from all around: diffusely, by reflection
     Gloss facets;
-    float metal, alpha, cosine, reflectance, again, kept;
-    float lossOfEye, baseOfEye, meanLoss, meanBase; // as it leaves, and in the mean, with what layers let through of both
+    float metal, alpha, cosine, reflectance, kept;
+    TONE again, baseOfEye, meanBase;
+    float lossOfEye, meanLoss; // as it leaves, and in the mean, with what layers let through of both
 #ifdef LIT_ANISOTROPY
     Anisotropy anisotropy;
+#endif
+#ifdef LIT_FILM
+    Film film;
+    vec3 filmMean, metalFilmMean, filmLeft; // what is reflected where it is: over all directions; once, times what layers let through
 #endif
 #ifdef LIGHT_HAS_AREAS
     mat3 glossInto, coatInto; // areaFacets()
@@ -59,6 +64,38 @@ vec2 baseAround(Lit m, float cosine)
     return albedoAround(cosine, m.anisotropy);
 #else
     return albedo(cosine, m.facets);
+#endif
+}
+
+#ifdef LIT_FILM
+Film filmOf(Surface s)
+{
+    Film film = Film(clamp(s.film, 0.0, 1.0), 0.0, 1.0);
+#ifdef SURFACE_HAS_filmPath
+    film.path = clamp(s.filmPath, 0.0, 5.0);
+#endif
+#ifdef SURFACE_HAS_filmIor
+    film.ior = clamp(s.filmIor, 0.5, 3.0);
+#endif
+    return film;
+}
+
+// As reflectedOf(), where a film is.
+vec3 filmedOf(Film film, vec2 albedo, float alpha, float reflectance, vec3 again)
+{
+    vec3 plain = reflectedOf(albedo, reflectance, again);
+    if (film.weight <= 0.0) return plain;
+    return mix(plain, (1.0 - albedo.x) * filmAround(film, albedo, alpha, vec3(reflectance)) + albedo.x * again, film.weight);
+}
+#endif
+
+// What the dielectric reflects of all that arrives from a direction with that albedo().
+TONE baseReflected(Lit m, vec2 albedo)
+{
+#ifdef LIT_FILM
+    return filmedOf(m.film, albedo, m.alpha, m.reflectance, m.again);
+#else
+    return reflectedOf(albedo, m.reflectance, m.again);
 #endif
 }
 
@@ -177,6 +214,9 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
 {
     const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);
     mean = left = vec3(0.0);
+#ifdef LIT_FILM
+    m.filmMean = m.metalFilmMean = m.filmLeft = vec3(0.0);
+#endif
 #ifdef LIT_LAYERS
     m.meanStray = vec2(0.0);
 #endif
@@ -184,6 +224,11 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
         float t = i < 3 ? PLACE[i] : 1.0 - PLACE[5 - i], share = 4.0 * WEIGHT[i < 3 ? i : 5 - i] * t * t * t;
         vec3 own = share * vec3(1.0, baseAround(m, t * t));
         mean += own;
+#ifdef LIT_FILM
+        vec3 filmed = (own.x - own.y) * filmAround(m.film, own.yz / share, m.alpha, vec3(m.reflectance));
+        m.filmMean += share * filmReflected(m.film, t * t, vec3(m.reflectance));
+        m.metalFilmMean += share * filmReflected(m.film, t * t, m.base);
+#endif
 #ifdef LIT_LAYERS
         vec4 layers = below(m, t * t, own.y / share);
         m.meanStray += share * strayed(m, layers.w, own.yz / share);
@@ -194,8 +239,14 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
         m.fuzzMean += share * layers.y;
 #endif
         own *= layers.z;
+#ifdef LIT_FILM
+        filmed *= layers.z;
+#endif
 #endif
         left += own;
+#ifdef LIT_FILM
+        m.filmLeft += filmed;
+#endif
     }
 #ifdef LIT_LAYERS
     m.meanStray = max(m.meanStray, vec2(1e-6));
@@ -254,6 +305,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.anisotropy = anisotropyOf(s.anisotropy, m.normal, m.facets.rough);
 #endif
     m.alpha = m.facets.alpha;
+#ifdef LIT_FILM
+    m.film = filmOf(s);
+#endif
     m.cosine = clamp(dot(m.normal, toEye), 1e-3, 1.0);
 #ifdef LIGHT_HAS_AREAS
     m.glossInto = areaFacets(m.facets.rough, m.normal, toEye);
@@ -268,19 +322,33 @@ Lit surfaceLit(Surface s, vec3 toEye)
     litMeans(m, mean, left);
 
     vec2 eye = baseAlbedo(m, toEye, m.cosine);
-    float fresnel = mix(1.0 / 21.0, 1.0, m.reflectance);
+    TONE fresnel = TONE(mix(1.0 / 21.0, 1.0, m.reflectance));
+#ifdef LIT_FILM
+    fresnel = mix(fresnel, m.filmMean, m.film.weight);
+#endif
     m.again = fresnel * fresnel * (1.0 - mean.y) / (1.0 - fresnel * mean.y);
     m.lossOfEye = eye.x;
-    m.baseOfEye = 1.0 - reflectedOf(eye, m.reflectance, m.again);
+    m.baseOfEye = 1.0 - baseReflected(m, eye);
     m.meanLoss = max(left.y, 1e-3); // so smooth that a second reflection is nothing
-    m.meanBase = max(left.x - mix(left.z, left.x - left.y, m.reflectance) - left.y * m.again, 1e-4);
+    TONE reflected = TONE(mix(left.z, left.x - left.y, m.reflectance));
+#ifdef LIT_FILM
+    reflected = mix(reflected, m.filmLeft, m.film.weight);
+#endif
+    m.meanBase = max(left.x - reflected - left.y * m.again, TONE(1e-4));
 
     m.dip = mix(vec3(0.4626641), vec3(1.0), m.base) * (1.0 - m.tint) * 17.6512; // (6/7)^5; 7 (7/6)^6
     vec3 metal = mix(vec3(1.0 / 21.0), vec3(1.0), m.base) - m.dip / 126.0;
+#ifdef LIT_FILM
+    metal = mix(metal, m.metalFilmMean, m.film.weight);
+#endif
     m.metalAgain = metal * metal * (1.0 - mean.y) / (1.0 - metal * mean.y);
     float rest = 1.0 - m.cosine, rest3 = rest * rest * rest;
     vec3 ofMetal = mix(vec3(eye.y), vec3(1.0 - eye.x), m.base) + eye.x * m.metalAgain -
         m.dip * (m.cosine * rest3 * rest3 * (1.0 - eye.x));
+#ifdef LIT_FILM
+    if (m.film.weight > 0.0 && m.metal > 0.0)
+        ofMetal = mix(ofMetal, (1.0 - eye.x) * filmAround(m.film, eye, m.alpha, m.base) + eye.x * m.metalAgain, m.film.weight);
+#endif
     m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * m.base;
     m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
 #ifdef LIT_BEHIND

@@ -45,7 +45,7 @@ Lit surfaceMatt(Lit m)
 vec3 fromBehind(Lit m, vec3 l, float cosine)
 {
     vec2 own = baseAlbedo(m, l, cosine);
-    vec3 sum = m.kept * cosine * (1.0 - reflectedOf(own, m.reflectance, m.again)) * m.baseOfEye / m.meanBase * m.behind;
+    vec3 sum = m.kept * cosine * (1.0 - baseReflected(m, own)) * m.baseOfEye / m.meanBase * m.behind;
 #ifdef LIT_LAYERS
     sum *= below(m, cosine, own.x).z;
 #endif
@@ -73,7 +73,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
 #endif
     vec2 own = baseAlbedo(m, l, cosine);
     float again = cosine * own.x * m.lossOfEye / m.meanLoss;
-    float matt = cosine * (1.0 - reflectedOf(own, m.reflectance, m.again)) * m.baseOfEye / m.meanBase;
+    TONE matt = cosine * (1.0 - baseReflected(m, own)) * m.baseOfEye / m.meanBase;
 #ifdef LIT_LAYERS
     vec4 layers = below(m, cosine, own.x);
     vec2 even = evenOf(m.facets.rough, vec2(cosine, m.cosine)), stray = cosine * strayed(m, layers.w, own) * m.strayOfEye / m.meanStray;
@@ -86,8 +86,15 @@ vec3 surfaceLobe(Lit m, vec3 l)
     matt *= layers.z;
     again *= layers.z;
 #endif
-    vec3 dielectric = matt * m.base + m.tint * (once * mix(rest5, 1.0, m.reflectance) + again * m.again);
     vec3 fresnel = max(mix(vec3(rest5), vec3(1.0), m.base) - m.dip * (facing * rest5 * rest), 0.0);
+    TONE mirrored = TONE(mix(rest5, 1.0, m.reflectance));
+#ifdef LIT_FILM
+    if (m.film.weight > 0.0) {
+        mirrored = mix(mirrored, filmReflected(m.film, facing, vec3(m.reflectance)), m.film.weight);
+        fresnel = mix(fresnel, filmReflected(m.film, facing, m.base), m.film.weight);
+    }
+#endif
+    vec3 dielectric = matt * m.base + m.tint * (once * mirrored + again * m.again);
     vec3 sum = mix(dielectric, once * fresnel + again * m.metalAgain, m.metal);
 #ifdef LIT_LAYERS
     sum += stray.x * m.metalBounce + stray.y * m.dielectricBounce;

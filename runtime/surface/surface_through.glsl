@@ -12,7 +12,13 @@ vec3 notReflected(Surface s, vec3 toEye)
 #ifdef SURFACE_HAS_reflectance
     reflectance = clamp(s.reflectance, 0.0, 1.0);
 #endif
-    left *= 1.0 - reflectedOf(albedo(cosine, glossOf(clamp(rough, 0.0316227766, 1.0))), reflectance, 0.0);
+    rough = clamp(rough, 0.0316227766, 1.0);
+    vec2 base = albedo(cosine, glossOf(rough));
+#ifdef LIT_FILM
+    left *= 1.0 - filmedOf(filmOf(s), base, rough * rough, reflectance, vec3(0.0));
+#else
+    left *= 1.0 - reflectedOf(base, reflectance, 0.0);
+#endif
 #ifdef LIT_COAT
     if (s.coat > 0.0) {
         Coat coat = coatOf(s);

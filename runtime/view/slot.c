@@ -37,6 +37,9 @@ static const SlotLook looks[SLOT_LOOK_COUNT] = {
     {"fuzzRoughness", NUMBER},
     {"anisotropy", NORMAL},
     {"transmission", NUMBER},
+    {"film", NUMBER},
+    {"filmPath", NUMBER},
+    {"filmIor", RATIO},
 };
 
 const char *slot_look_name(int i) { return looks[i].name; }

@@ -1,0 +1,145 @@
+/* A thin film on a Principled surface: what it reflects against sums over wavelengths in double, a white furnace, light that changes places with the eye. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/surface/surface_model.h"
+#include "tests/fits/observer.h"
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/pass_values.h"
+#include "tests/lobe_claims.h"
+#include <complex.h>
+#include <stdlib.h>
+
+enum { SIDE = 20 };
+
+static const char head[] =
+    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance, film, filmPath, filmIor; };\n"
+    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define SURFACE_HAS_specular\n#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n"
+    "#define SURFACE_HAS_reflectance\n#define SURFACE_HAS_film\n#define SURFACE_HAS_filmPath\n#define SURFACE_HAS_filmIor\n";
+static const char tools[] =
+    "const float SIDE = 20.0;\n"
+    "float roughOf(ivec2 p) { return 0.0316227766 + 0.9683772 * float(p.y) / (SIDE - 1.0); }\n"
+    "float cosineOf(ivec2 p) { return 0.1 + 0.9 * float(p.x) / (SIDE - 1.0); }\n"
+    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); return vec3(s * cos(turn), s * sin(turn), cosine); }\n"
+    "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
+    "Surface made(ivec2 p, float base, float metal) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), vec3(1.0), metal, roughOf(p), 0.04, 1.0, 3.0 * varied(p, 0.29), 1.2 + 0.8 * varied(p, 0.43)); }\n";
+static const char films[] =
+    "vec4 passPixel(ivec2 p) { return vec4(filmReflected(Film(1.0, 5.0 * varied(p, 0.618), 1.1 + 1.2 * varied(p, 0.382)), cosineOf(p), vec3(varied(p, 0.733) * varied(p, 0.733))), 1.0); }\n";
+static const char furnace[] =
+    LOBE_FACET
+    "float density(vec3 v, vec3 l, float a) {\n"
+    "    vec3 h = normalize(v + l), c = cross(vec3(0.0, 0.0, 1.0), h);\n"
+    "    float d = a * a * h.z * h.z + dot(c, c), g = 2.0 * v.z / (v.z + sqrt(a * a + (1.0 - a * a) * v.z * v.z));\n"
+    "    return 0.5 * (g * a * a / (d * d * 4.0 * v.z) + l.z) / 3.14159265;\n}\n"
+    "vec3 sent(Surface surface, vec3 v) {\n"
+    "    Lit m = surfaceLit(surface, v);\n"
+    "    vec3 sum = vec3(0.0);\n"
+    "    for (int i = 0; i < 512; i++) {\n"
+    "        vec2 u = fract(vec2(0.7548776662, 0.5698402910) * float(i) + 0.5);\n"
+    "        vec3 l = (i & 1) == 0 ? reflect(-v, facet(v, m.alpha, u)) : toward(sqrt(u.x), 6.2831853 * u.y);\n"
+    "        if (l.z > 0.0) sum += surfaceLobe(m, l) / (3.14159265 * density(v, l, m.alpha));\n"
+    "    }\n"
+    "    return sum / 512.0;\n}\n"
+    "vec4 passPixel(ivec2 p) {\n"
+    "    vec3 v = toward(cosineOf(p), 0.0), one = sent(made(p, 1.0, 0.0), v), other = sent(made(p, 1.0, 1.0), v);\n"
+    "    return vec4(min(min(one.x, one.y), one.z), max(max(one.x, one.y), one.z), min(min(other.x, other.y), other.z), max(max(other.x, other.y), other.z));\n}\n";
+static const char turned[] =
+    "vec4 passPixel(ivec2 p) {\n"
+    "    vec3 v = toward(cosineOf(p), 0.0), l = toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 * varied(p, 0.91));\n"
+    "    Surface s = made(p, 0.6, varied(p, 0.27));\n"
+    "    vec3 a = surfaceLobe(surfaceLit(s, v), l) / l.z, b = surfaceLobe(surfaceLit(s, l), v) / v.z;\n"
+    "    return vec4(abs(a - b) / (a + b), 1.0);\n}\n";
+
+static void run(GlContext *gl, const char *body, float (*said)[4])
+{
+    const SurfaceModel *model = &surface_model_principled;
+    const ScreenPassText text = {.body = {head, model->text, model->more[0], model->more[1], model->more[2], tools, body}, .format = "RGBA32F"};
+    pass_values(gl, &text, SIDE, said);
+}
+
+static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
+static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
+
+/* Of one polarisation: light to and fro within the film, all of it. */
+static double airy(double a, double b, double phase)
+{
+    const double complex turn = cexp(I * phase), sum = (a + b * turn) / (1 + a * b * turn);
+    return creal(sum) * creal(sum) + cimag(sum) * cimag(sum);
+}
+
+static void film_of(double path, double n, double cosine, double base, double lanes[3])
+{
+    const double index = (1 + sqrt(base)) / (1 - sqrt(base)), sine2 = 1 - cosine * cosine;
+    const double inner = sqrt(1 - sine2 / (n * n)), deep = sqrt(1 - sine2 / (index * index));
+    double white[3] = {0}, one[3];
+    lanes[0] = lanes[1] = lanes[2] = 0;
+    for (int nm = OBSERVER_FIRST; nm <= OBSERVER_LAST; nm++) {
+        const double phase = 2 * LOBE_PI * path * inner / (nm * 1e-3);
+        const double s = airy((cosine - n * inner) / (cosine + n * inner), (n * inner - index * deep) / (n * inner + index * deep), phase);
+        const double p = airy((n * cosine - inner) / (n * cosine + inner), (index * inner - n * deep) / (index * inner + n * deep), phase);
+        observer_lanes(nm, one);
+        for (int lane = 0; lane < 3; lane++) {
+            lanes[lane] += one[lane] * .5 * (s + p);
+            white[lane] += one[lane];
+        }
+    }
+    for (int lane = 0; lane < 3; lane++)
+        lanes[lane] = fmin(fmax(lanes[lane] / white[lane], 0), 1);
+}
+
+static void films_are_sums_over_wavelengths(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst = 0, squares = 0;
+    GlContext *gl = frame_context();
+    run(gl, films, said);
+    gl_close(gl);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double want[3];
+        film_of(5 * varied(i, .618), 1.1 + 1.2 * varied(i, .382), cosine_of(i % SIDE), varied(i, .733) * varied(i, .733), want);
+        for (int lane = 0; lane < 3; lane++) {
+            const double error = fabs((double)said[i][lane] - want[lane]);
+            worst = fmax(worst, error);
+            squares += error * error / (3 * SIDE * SIDE);
+        }
+    }
+    print_message("films: within %.4f, root of the mean square %.4f\n", worst, sqrt(squares));
+    assert_true(worst < .11 && sqrt(squares) < .006);
+}
+
+static void white_sends_all(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double least[2] = {2, 2}, most[2] = {0};
+    GlContext *gl = frame_context();
+    run(gl, furnace, said);
+    gl_close(gl);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        for (int k = 0; k < 2; k++) {
+            least[k] = fmin(least[k], (double)said[i][2 * k]);
+            most[k] = fmax(most[k], (double)said[i][2 * k + 1]);
+        }
+    print_message("white: %.4f to %.4f, of metal %.4f to %.4f\n", least[0], most[0], least[1], most[1]);
+    assert_true(least[0] > .97 && most[0] < 1.03 && least[1] > .99 && most[1] < 1.01);
+}
+
+static void light_and_eye_change_places(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    GlContext *gl = frame_context();
+    run(gl, turned, said);
+    gl_close(gl);
+    lobe_changes_places(said, SIDE * SIDE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(films_are_sums_over_wavelengths), cmocka_unit_test(white_sends_all),
+                                       cmocka_unit_test(light_and_eye_change_places)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
