@@ -232,6 +232,25 @@ static void the_way_does_not_matter(void **state)
     }
 }
 
+/* Entries of the table are told from those of 255 looks ago. */
+static void old_looks_are_forgotten(void **state)
+{
+    Bisected b = begin(*state, "pixels: 12, triangles: 1500", bodies[2]);
+    uint64_t *leaves = NULL;
+    int count = 0, fresh_count = 0;
+    for (int view = 0; view < 260; view++) {
+        free(leaves);
+        look_from(&b.scene->camera, view % 7, 8, view % 2 ? 1.6 : 5);
+        leaves = leaves_of(&b, &count);
+    }
+    make_fresh(&b);
+    uint64_t *fresh = leaves_of(&b, &fresh_count);
+    assert_true(count > 12 && !others(fresh, fresh_count, leaves, count));
+    free(fresh);
+    free(leaves);
+    end(&b);
+}
+
 /* 64 cameras, near and far, of bodies with hard edges, seams and poles, one after the other in place. */
 static void each_side_has_another(void **state)
 {
@@ -375,6 +394,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(triangles_are_those_of_the_processor),
         cmocka_unit_test(the_way_does_not_matter),
+        cmocka_unit_test(old_looks_are_forgotten),
         cmocka_unit_test(each_side_has_another),
         cmocka_unit_test(pictures_are_those_of_meshes),
         cmocka_unit_test(shadows_are_those_of_meshes),

@@ -23,8 +23,8 @@ layout(std430, binding = 0) readonly buffer BisectBases {
 layout(std430, binding = 1) buffer BisectLeaves {
     uvec2 bisect_leaves[];
 };
-// Places of leaves by a hash of their numbers, plus 1. An entry whose leaf has another number by now counts as one that is taken.
-layout(std430, binding = 2) buffer BisectTable {
+// Places of leaves by a hash of their numbers, plus 1, below the stamp of the look that they are of: others are empty. An entry whose leaf has another number by now counts as one that is taken.
+layout(std430, binding = 2) coherent buffer BisectTable {
     uint bisect_table[];
 };
 // A head, and lists of BISECT_LISTS times as many words as there is room for leaves.
@@ -44,6 +44,7 @@ uniform int bisect_ranged;
 uniform int bisect_room;        // for leaves
 uniform int bisect_baseBits;    // that a number of a base has
 uniform int bisect_tableBits;   // it has 2 to the power of that entries
+uniform int bisect_stamp;       // 1 to 255
 uniform int bisect_deepest;     // no triangle is bisected for its own sake from there on
 uniform int bisect_coarse;      // triangles of less depth are bisected, whatever they deviate
 uniform vec3 bisect_reach;      // along the world's axes, no point moves farther
@@ -112,9 +113,13 @@ uint bisectHash(uvec2 id)
 
 void bisectInsert(uvec2 id, uint slot)
 {
-    uint at = bisectHash(id);
-    while (atomicCompSwap(bisect_table[at & ((1u << bisect_tableBits) - 1u)], 0u, slot + 1u) != 0u)
-        at++;
+    uint entry = uint(bisect_stamp) << 24 | (slot + 1u), at = bisectHash(id);
+    for (bool done = false; !done;) {
+        uint place = at & ((1u << bisect_tableBits) - 1u), had = bisect_table[place];
+        bool taken = had >> 24 == uint(bisect_stamp);
+        done = !taken && atomicCompSwap(bisect_table[place], had, entry) == had;
+        at += uint(taken); // who came before in the meantime is read next
+    }
 }
 
 // Where that leaf is; BISECT_NONE: there is none.
@@ -122,12 +127,12 @@ uint bisectFind(uint base, uint number)
 {
     uvec2 id = bisectId(base, number);
     for (uint at = bisectHash(id);; at++) {
-        uint slot = bisect_table[at & ((1u << bisect_tableBits) - 1u)];
-        if (slot == 0u)
+        uint entry = bisect_table[at & ((1u << bisect_tableBits) - 1u)], slot = (entry & 0xFFFFFFu) - 1u;
+        if (entry >> 24 != uint(bisect_stamp))
             return BISECT_NONE;
-        uvec2 bits = bisect_leaves[slot - 1u];
+        uvec2 bits = bisect_leaves[slot];
         if (bits.x == id.x && (bits.y & 255u) == id.y)
-            return slot - 1u;
+            return slot;
     }
 }
 
@@ -301,7 +306,10 @@ bool bisectWants(uint base, uint number, Corners t, uint code)
     if (bisect_closed != 0.0 && !hidden)
         hidden = bisectAllAway(base, t, bisect_eye, middle, extent);
     float far = bisect_eye.w == 0.0 ? 1.0 : max(length(max(abs(bisect_eye.xyz - middle) - extent, 0.0)), bisect_near);
-    far = bisectShadowFar(base, t, far * (hidden ? 8.0 : 1.0), middle, extent);
+    far *= hidden ? 8.0 : 1.0;
+#ifdef BISECT_LIGHTS
+    far = bisectShadowFar(base, t, far, middle, extent);
+#endif
     return bisectDeviation(code) * bisect_scale > bisect_pixels * far;
 }
 

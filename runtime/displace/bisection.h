@@ -55,6 +55,7 @@ typedef struct {
     int room, most, table_bits;             /* for leaves now, and ever; bits of a place in the table */
     int ranged;                             /* ranges go so deep */
     int rounds[2];                          /* of merging and of splitting, that the last view took */
+    int stamp;                              /* of entries of the table; 0: it has to be cleared */
     int coarser;                            /* fourths of an octave that an error may be larger */
     GLuint head[BISECTION_HEAD], head_copy; /* as it was read last; a buffer that it goes through */
     int splits, merges, looks;              /* of the last view */
@@ -69,6 +70,8 @@ bool bisection_make(const DisplacedMaking *making, Displaced *made);
 void bisection_forget(Displaced *displaced);
 /* Room for so many leaves, and their corners in the mesh; those that there are stay. */
 bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
+/* Its shadows count. */
+bool bisection_casts(const SceneLight *light);
 /* A uniform of all stages. */
 void bisection_set(Displaced *displaced, const char *name, int lanes, const float *values);
 void bisection_set_number(Displaced *displaced, const char *name, double number);

@@ -11,9 +11,10 @@ enum {
     ID_BITS = 40,
     DEEPEST = 28,
     SAMPLES_SHARE =
-        8,          /* deviations are those of parts of which one has as many triangles as so many have in the end, */
-    PARTS_MOST = 6, /* but at most 64 of a triangle: what is coarser is bisected */
-    RANGE_PARTS = 3 /* ranges are kept of triangles that have 8 of these parts */
+        8,           /* deviations are those of parts of which one has as many triangles as so many have in the end, */
+    PARTS_MOST = 6,  /* but at most 64 of a triangle: what is coarser is bisected */
+    PLACE_BITS = 24, /* of a leaf, in the table */
+    RANGE_PARTS = 3  /* ranges are kept of triangles that have 8 of these parts */
 };
 
 bool bisection_there(const GlContext *gl)
@@ -28,6 +29,21 @@ bool bisection_there(const GlContext *gl)
 
 /* -- programs */
 
+bool bisection_casts(const SceneLight *light)
+{
+    return scene_light_casts(light) && (light->kind == SCENE_Directional || light->kind == SCENE_Point ||
+                                        light->kind == SCENE_Spot || light->kind == SCENE_Area);
+}
+
+/* Programs of a scene without such lights have no loop over them: llvmpipe pays for what it does not enter. */
+static const char *lights_of(const Scene *scene)
+{
+    bool casts = false;
+    for (int i = 0; i < scene->light_count; i++)
+        casts |= bisection_casts(&scene->lights[i]);
+    return casts ? "#define BISECT_LIGHTS\n" : "\n";
+}
+
 static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisection *b)
 {
     static const char point[] = "#define DISPLACE_POINT\n#define DISPLACE_OUT\n";
@@ -41,7 +57,8 @@ static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisectio
         [BISECTION_CHOOSE] = {"#define BISECT_STEP 3\n", render_text_bisect_choose, render_text_bisect_next},
         [BISECTION_NEXT] = {"#define BISECT_STEP 0\n", render_text_bisect_next, ""},
     };
-    ProgramText split = {.compute = {displaced_version, "#define BISECT_STEP 4\n", point, making->displace,
+    const char *lights = lights_of(making->scene);
+    ProgramText split = {.compute = {displaced_version, lights, "#define BISECT_STEP 4\n", point, making->displace,
                                      render_text_displace_point, render_text_bisect, render_text_bisect_split,
                                      render_text_bisect_next}};
     ProgramText begin = {.compute = {displaced_version, "#define BISECT_BEGIN\n", point, making->displace,
@@ -49,8 +66,8 @@ static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisectio
     bool fine = displaced_program(making, &split, &made->material) &&
                 displaced_program(making, &begin, &b->stages[BISECTION_BEGIN]);
     for (int i = 0; fine && i < BISECTION_BEGIN; i++) {
-        const ProgramText text = {
-            .compute = {displaced_version, stages[i].define, render_text_bisect, stages[i].text, stages[i].next}};
+        const ProgramText text = {.compute = {displaced_version, lights, stages[i].define, render_text_bisect,
+                                              stages[i].text, stages[i].next}};
         fine = material_make(making->store, NULL, &text, &b->stages[i]);
     }
     return fine;
@@ -114,6 +131,7 @@ bool bisection_room(Displaced *d, Mesh *mesh, int room)
     const size_t had = (size_t)b->room, places = (size_t)room;
     b->room = room;
     b->table_bits = bits_of(5 * places);
+    b->stamp = 0;
     grow_buffer(gl, b->buffers[BISECTION_LEAVES], 2 * had * sizeof(GLuint), 2 * places * sizeof(GLuint));
     grow_buffer(gl, mesh->buffers[0], had * CORNER_BYTES, places * CORNER_BYTES);
     new_buffer(gl, b->buffers[BISECTION_TABLE], ((size_t)1 << b->table_bits) * sizeof(GLuint), NULL);
@@ -129,7 +147,8 @@ static int most_of(const GlContext *gl, const ScenePatches *patches)
     gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     const int most = patches->triangles > patches->count ? patches->triangles : patches->count,
               held = bytes / (int)CORNER_BYTES;
-    return most < held ? most : held;
+    const int least = most < held ? most : held;
+    return least < 1 << PLACE_BITS ? least : (1 << PLACE_BITS) - 1;
 }
 
 int bisection_base_bits(const ScenePatches *patches)

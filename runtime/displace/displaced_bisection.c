@@ -93,19 +93,31 @@ static void run_rounds(Displaced *d, int merging, int splitting)
     }
 }
 
+/* Entries of looks before this one are empty by their stamps; after 255 of them they are cleared, which takes a driver longer than all the rest of a look. */
+static void stamp_table(Displaced *d)
+{
+    enum { STAMPS = 255 };
+    Bisection *b = d->own;
+    const GlContext *gl = displaced_context(d);
+    const GLuint none = 0;
+    if (!b->stamp) {
+        gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, b->buffers[BISECTION_TABLE]);
+        gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0,
+                               (GLsizeiptr)(((size_t)1 << b->table_bits) * sizeof none), GL_RED_INTEGER,
+                               GL_UNSIGNED_INT, &none);
+    }
+    bisection_set_number(d, "bisect_stamp", b->stamp + 1);
+    b->stamp = (b->stamp + 1) % STAMPS;
+}
+
 /* All leaves are looked at; who can merges, who has to is bisected. False: there is no room for all. */
 static bool update(Displaced *d, GLuint high)
 {
     enum { MORE = 4, MOST = 16 };
     Bisection *b = d->own;
-    const GlContext *gl = displaced_context(d);
-    const GLuint none = 0;
     write_head(d, high);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, b->buffers[BISECTION_TABLE]);
-    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0,
-                           (GLsizeiptr)(((size_t)1 << b->table_bits) * sizeof none), GL_RED_INTEGER, GL_UNSIGNED_INT,
-                           &none);
-    finish(gl);
+    stamp_table(d);
+    finish(displaced_context(d));
     bisection_set_number(d, "bisect_pixels", d->patches->pixels * exp2(b->coarser / 4.));
     dispatch(d, &b->stages[BISECTION_LOOK], high);
     dispatch(d, &b->stages[BISECTION_NEXT], 1);
@@ -192,8 +204,7 @@ static BisectionLights find_lights(const DisplacedView *view)
     for (int i = 0; i < scene->light_count && found.count < BISECTION_LIGHTS_MOST; i++) {
         const SceneLight *light = &scene->lights[i];
         const bool far = light->kind == SCENE_Directional;
-        if (!scene_light_casts(light) ||
-            !(far || light->kind == SCENE_Point || light->kind == SCENE_Spot || light->kind == SCENE_Area))
+        if (!bisection_casts(light))
             continue;
         for (int k = 0; k < 3; k++)
             found.each[found.count][k] = (float)(far ? -light->direction[k] : light->position[k]);
