@@ -1,4 +1,4 @@
-/* Bisection by compute stages, under OSMesa: its triangles against those that the processor's bisection makes by the same error, in double; the same set of them however the camera came there;
+/* Bisection by compute stages, under OSMesa: its triangles against those of the processor's bisection by the same error, in double; the same set however the camera came there;
  * each side of a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures against those of fine meshes, and shadows of what the camera does not see. */
 #include "tests/frame/bisection_reference.h"
 #include "tests/frame/frame_compare.h"
@@ -19,8 +19,7 @@ static const char materials[] =
     "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1,\n"
     "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n";
 static const char *const bodies[] = {
-    "- { object: Parallelogram, u: [6, 0, 0], v: [1, 5, 0.5], material: rock, transform: { translation: [-3, -2, 0] } "
-    "}\n",
+    "- { object: Parallelogram, u: [6,0,0], v: [1,5,.5], material: rock, transform: { translation: [-3,-2,0] } }\n",
     "- { object: Sphere, radius: 0.9, material: rock, detail: 8 }\n",
     "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }\n",
     "- { object: Sphere, radius: 0.9, material: tiles, detail: 12 }\n",
@@ -34,8 +33,7 @@ static Scene *open_scene(const char *how, const char *object, const MatcOptions 
     char text[4000];
     snprintf(text, sizeof text,
              "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n%s"
-             "displacement: { method: bisection, %s }\nlights: [{ light: Directional, direction: [1, 0.6, -1] "
-             "}]\nobjects:\n%s",
+             "displacement: { method: bisection, %s }\nlights: [{ light: Directional, direction: [1,.6,-1] }]\nobjects:\n%s",
              EDGE, EDGE, materials, how, object);
     return frame_scene(text, options, document);
 }
@@ -236,18 +234,16 @@ static void the_way_does_not_matter(void **state)
 static void old_looks_are_forgotten(void **state)
 {
     Bisected b = begin(*state, "pixels: 12, triangles: 1500", bodies[2]);
-    uint64_t *leaves = NULL;
     int count = 0, fresh_count = 0;
     for (int view = 0; view < 260; view++) {
-        free(leaves);
         look_from(&b.scene->camera, view % 7, 8, view % 2 ? 1.6 : 5);
-        leaves = leaves_of(&b, &count);
+        free(leaves_of(&b, &count));
     }
+    uint64_t *leaves = leaves_of(&b, &count);
     make_fresh(&b);
     uint64_t *fresh = leaves_of(&b, &fresh_count);
     assert_true(count > 12 && !others(fresh, fresh_count, leaves, count));
-    free(fresh);
-    free(leaves);
+    free(fresh), free(leaves);
     end(&b);
 }
 
