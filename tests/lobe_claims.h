@@ -5,6 +5,8 @@
 
 #define LOBE_PI 3.14159265358979323846
 
+enum { LOBE_RINGS = 96, LOBE_TURNS = 64 }; /* of the visible facets that albedos are summed over */
+
 /* GLSL: a facet of GGX that is seen from v (Heitz 2018), by two numbers in [0, 1). */
 #define LOBE_FACET                                                                                                     \
     "vec3 facet(vec3 v, float a, vec2 u) {\n"                                                                          \
@@ -14,10 +16,17 @@
     "    vec3 n = x * t + y * s + sqrt(max(1.0 - x * x - y * y, 0.0)) * w;\n"                                          \
     "    return normalize(vec3(a * n.xy, max(n.z, 1e-6)));\n}\n"
 
+/* GLSL: how densely those facets send light along l, times pi. */
+#define LOBE_SEEN                                                                                                      \
+    "float seen(vec3 v, vec3 l, float a) {\n"                                                                          \
+    "    vec3 h = normalize(v + l), c = cross(vec3(0.0, 0.0, 1.0), h);\n"                                              \
+    "    float d = a * a * h.z * h.z + dot(c, c), g = 2.0 * v.z / (v.z + sqrt(a * a + (1.0 - a * a) * v.z * v.z));\n"  \
+    "    return g * a * a / (d * d * 4.0 * v.z);\n}\n"
+
 /* Albedos of GGX with Smith's masking by height, by visible facets: 1 - E, and what Schlick's (1 - cosine)^5 has of E. */
 static inline void lobe_albedo(double cosine, double alpha, double found[2])
 {
-    enum { RINGS = 96, TURNS = 64 };
+    enum { RINGS = LOBE_RINGS, TURNS = LOBE_TURNS };
     const double vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine), wx = alpha * vx / size, wz = cosine / size;
     const double eye = sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine);
     double all = 0, fresnel = 0;

@@ -155,16 +155,6 @@ static void pictures_are_those_of_divided_meshes(void **state)
     free(of[1]);
 }
 
-/* Its values are those of the position's x, in the same vertices. */
-static void feed_wetness(const GlContext *gl, const Mesh *mesh)
-{
-    enum { FIRST_OWN = 11 }; /* language.md */
-    gl->BindVertexArray(mesh->array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
-    gl->EnableVertexAttribArray(FIRST_OWN);
-    gl->VertexAttribPointer(FIRST_OWN, 1, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex), (const void *)offsetof(ShapeVertex, position));
-}
-
 static void attributes_are_handed_on(void **state)
 {
     Rig *rig = RIG;
@@ -179,7 +169,7 @@ static void attributes_are_handed_on(void **state)
     material_set_number(&d.material, "matc_rows", (float)way.rows);
     material_set_number(&d.material, "matc_parts", (float)way.parts);
     material_use(&d.material);
-    feed_wetness(rig->gl, &mesh);
+    feed_attribute(rig->gl, &mesh);
     rig->gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, NULL, 1, 0);
     rig->gl->BindVertexArray(0);
     assert_true(rig_finish(rig, &rig->full));

@@ -30,11 +30,7 @@ static const char tools[] =
     "    reflectance, vec3(clear), clear, vec3(behind), coat.x, vec3(1.0), coat.y, 0.0533); }\n"
     "Surface leaf(ivec2 p) { return made(0.7 * varied(p, 0.618), varied(p, 0.382), 0.0, roughOf(p), 0.2 * varied(p, 0.137), vec2(0.0)); }\n";
 static const char furnace[] =
-    LOBE_FACET
-    "float seen(vec3 v, vec3 l, float a) {\n"
-    "    vec3 h = normalize(v + l), c = cross(vec3(0.0, 0.0, 1.0), h);\n"
-    "    float d = a * a * h.z * h.z + dot(c, c), g = 2.0 * v.z / (v.z + sqrt(a * a + (1.0 - a * a) * v.z * v.z));\n"
-    "    return g * a * a / (d * d * 4.0 * v.z);\n}\n"
+    LOBE_FACET LOBE_SEEN
     "float sent(Surface surface, vec3 v) {\n"
     "    Lit m = surfaceLit(surface, v);\n"
     "    float sum = 0.0;\n"

@@ -121,16 +121,6 @@ static void edges_of_other_levels_leave_no_hole(void **state)
     assert_true(within > 64 * 400 && torn >= 10);
 }
 
-/* Its values are those of the position's x, in the same vertices. */
-static void feed_wetness(const GlContext *gl, const Mesh *mesh)
-{
-    enum { FIRST_OWN = 11 }; /* language.md */
-    gl->BindVertexArray(mesh->array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
-    gl->EnableVertexAttribArray(FIRST_OWN);
-    gl->VertexAttribPointer(FIRST_OWN, 1, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex), (const void *)offsetof(ShapeVertex, position));
-}
-
 /* Between the corners of a patch they are mixed as the position is, before it is displaced. */
 static void attributes_are_handed_on(void **state)
 {
@@ -164,7 +154,7 @@ static void attributes_are_handed_on(void **state)
     set_uniform(&d, "matc_levelEye", 3, eye);
     set_uniform(&d, "matc_levels", 1, &levels);
     material_use(&d.material);
-    feed_wetness(rig->gl, &mesh);
+    feed_attribute(rig->gl, &mesh);
     rig->gl->DrawElements(GL_PATCHES, mesh.index_count, GL_UNSIGNED_INT, NULL);
     rig->gl->BindVertexArray(0);
     assert_true(rig_finish(rig, &rig->full));
