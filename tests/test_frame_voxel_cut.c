@@ -100,7 +100,7 @@ typedef struct {
 static void read_found(Drawn *d)
 {
     assert_true(render_frame(d->voxels.render));
-    assert_true(framebuffer_read(d->voxels.gl, &d->voxels.render->draws[FRAME_DRAW_open], 0, d->found));
+    assert_true(framebuffer_read(d->voxels.gl, &d->voxels.render->targets.draws[FRAME_DRAW_open], 0, d->found));
 }
 
 static int set_up(void **state)

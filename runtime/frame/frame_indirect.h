@@ -82,4 +82,10 @@ typedef struct {
     IndirectMotion motion;
     ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
 } FrameIndirect;
+
+/* Of pass_positions.c. */
+typedef struct {
+    Material material;
+    GLuint array; /* without a buffer: vertices are numbers */
+} FramePositions;
 #endif

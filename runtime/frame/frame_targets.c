@@ -10,7 +10,7 @@ const char *frame_target_name(FrameTarget target) { return names[target]; }
 
 const char *frame_format(const Render *render, FrameTarget target, int texture)
 {
-    return render->forms[target].formats[texture];
+    return render->targets.forms[target].formats[texture];
 }
 
 static const struct {
@@ -45,7 +45,9 @@ static int class_of(const Render *render, const char *format)
 /* What is smaller than other targets shares memory with its like alone. */
 FramePlanTarget frame_plan_target(const Render *render, FrameTarget target)
 {
-    const int apart = render->forms[target].coarse == 1 ? 0 : target == FRAME_TARGET_shown ? SIZE_COUNT : 2 * SIZE_COUNT;
+    const int apart = render->targets.forms[target].coarse == 1 ? 0
+                      : target == FRAME_TARGET_shown            ? SIZE_COUNT
+                                                                : 2 * SIZE_COUNT;
     FramePlanTarget made = {0};
     const char *format;
     while (made.count < FRAME_PLAN_TEXTURES && (format = frame_format(render, target, made.count)))
@@ -63,7 +65,7 @@ int frame_bytes(const Render *render, FrameTarget target)
 
 int frame_edge(const Render *render, FrameTarget target, int axis)
 {
-    const int coarse = render->forms[target].coarse;
+    const int coarse = render->targets.forms[target].coarse;
     return (render->size[axis] + coarse - 1) / coarse;
 }
 
@@ -79,7 +81,7 @@ static bool is_taken(const FramePlan *plan, int target, int piece)
 
 int frame_shared_bytes(const Render *render, FrameTarget target)
 {
-    const FramePlan *plan = &render->plan;
+    const FramePlan *plan = &render->targets.plan;
     int bytes = 0;
     for (int t = 0; t < FRAME_PLAN_TEXTURES && plan->memory[target][t] >= 0; t++)
         if (is_taken(plan, (int)target, plan->memory[target][t]))
@@ -92,9 +94,9 @@ int frame_plan_bytes(const Render *render)
 {
     int bytes = 0;
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
-        if (render->plan.memory[i][0] >= 0) {
+        if (render->targets.plan.memory[i][0] >= 0) {
             const int added = frame_bytes(render, (FrameTarget)i) - frame_shared_bytes(render, (FrameTarget)i);
-            const int coarse = render->forms[i].coarse, pixels = coarse * coarse;
+            const int coarse = render->targets.forms[i].coarse, pixels = coarse * coarse;
             bytes += (added + pixels - 1) / pixels;
         }
     return bytes;
@@ -102,7 +104,7 @@ int frame_plan_bytes(const Render *render)
 
 GLuint frame_texture(const Render *render, FrameTarget target, int texture)
 {
-    return render->textures[target][texture];
+    return render->targets.textures[target][texture];
 }
 
 /* The targets of each: colours, then the depth that is with them, or -1. */
@@ -138,7 +140,7 @@ bool frame_make_draw(Render *render, FrameDraw draw)
     const FrameTarget color = draws[draw].color;
     const int depth = draws[draw].depth;
     const bool deep = depth >= 0;
-    const unsigned there = render->plan.there;
+    const unsigned there = render->targets.plan.there;
     FramebufferTextures textures = {.depth = deep ? frame_texture(render, (FrameTarget)depth, 0) : 0,
                                     .stencil = draw == FRAME_DRAW_mask};
     FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, deep};
@@ -148,7 +150,7 @@ bool frame_make_draw(Render *render, FrameDraw draw)
     add_colors(render, color, &spec, &textures);
     if (draw == FRAME_DRAW_seen)
         add_colors(render, FRAME_TARGET_seen, &spec, &textures);
-    return framebuffer_make_around(render->gl, &spec, &textures, &render->draws[draw]);
+    return framebuffer_make_around(render->gl, &spec, &textures, &render->targets.draws[draw]);
 }
 
 void frame_use(const Render *render, const Framebuffer *framebuffer)

@@ -1,5 +1,6 @@
 /* How surfaces are drawn, for the passes that rasterise: the state of the context; the cache's objects, as the view has them; planes. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/surface_draw.h"
 
 void surface_draw_begin(const Render *render, const Framebuffer *framebuffer, GLenum test)
 {

@@ -1,5 +1,7 @@
 /* What the passes of transparent surfaces share. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/surface_draw.h"
+#include "runtime/frame/transparency_draw.h"
 #include <string.h>
 
 /* The most memory of a buffer of fragments: the driver's, or this. */
@@ -65,15 +67,15 @@ Transparency transparency_first(const Render *render)
 bool transparency_falls_back(const Render *render)
 {
     const char *way = render->options.transparency;
-    return render->lists.full && (!way || strcmp(way, "lists") != 0);
+    return render->glass.lists.full && (!way || strcmp(way, "lists") != 0);
 }
 
 void transparency_put_lists(Text *out, const Render *render)
 {
-    if (render->lists.buffer)
+    if (render->glass.lists.buffer)
         text_format(out, "%-8s  %-24s  4, and %d a fragment: %lu bytes for %lu\n", "lists", "a buffer",
-                    4 * transparency_stride(&render->set), (unsigned long)render->lists.bytes,
-                    (unsigned long)render->lists.fragments);
+                    4 * transparency_stride(&render->set), (unsigned long)render->glass.lists.bytes,
+                    (unsigned long)render->glass.lists.fragments);
     else
         text_format(out, "%-8s  %-24s  not there\n", "lists", "a buffer");
 }

@@ -1,5 +1,7 @@
 /* The passes lists and blend: transparent fragments into lists, and these over the light. Their GLSL is lists_store.glsl, around the
  * materials' own, and pass_blend.glsl. */
+#include "runtime/frame/surface_draw.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/glass/glass.h"
 #include "runtime/picture/picture.h"
 #include <stdio.h>
@@ -22,11 +24,11 @@ static bool make_buffer(Render *render, GLuint room)
     const GlContext *gl = render->gl;
     const GLuint head[HEADS] = {
         [WIDTH] = (GLuint)render->size[0], [PIXELS] = (GLuint)render->size[0] * (GLuint)render->size[1], [ROOM] = room};
-    render->lists.bytes = bytes_of(render, room);
-    if (!render->lists.buffer)
-        gl->GenBuffers(1, &render->lists.buffer);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->lists.buffer);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)render->lists.bytes, NULL, GL_DYNAMIC_COPY);
+    render->glass.lists.bytes = bytes_of(render, room);
+    if (!render->glass.lists.buffer)
+        gl->GenBuffers(1, &render->glass.lists.buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->glass.lists.buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)render->glass.lists.bytes, NULL, GL_DYNAMIC_COPY);
     gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof head, head);
     return gl_check(render->gl, "making room for transparent fragments");
 }
@@ -35,7 +37,7 @@ static bool make_buffer(Render *render, GLuint room)
 static void begin(const Render *render, FrameDraw draw)
 {
     static const GLenum none = GL_NONE;
-    surface_draw_begin(render, &render->draws[draw], GL_GREATER);
+    surface_draw_begin(render, &render->targets.draws[draw], GL_GREATER);
     render->gl->DrawBuffers(1, &none);
     render->gl->DepthMask(GL_FALSE);
 }
@@ -58,7 +60,7 @@ static void draw_surfaces(Render *render)
 static void draw_planes(Render *render)
 {
     begin(render, FRAME_DRAW_light);
-    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), render->lists.depth_unit);
+    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), render->glass.lists.depth_unit);
     surface_draw_planes(render, true);
     end(render);
 }
@@ -67,7 +69,7 @@ void pass_lists_draw(Render *render)
 {
     const GlContext *gl = render->gl;
     const size_t heads = bytes_of(render, 0) - COUNT * sizeof(GLuint);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->lists.buffer);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->glass.lists.buffer);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, COUNT * sizeof(GLuint), (GLsizeiptr)heads,
                            GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
     draw_surfaces(render);
@@ -81,20 +83,20 @@ static bool count_fragments(Render *render)
     GlContext *gl = render->gl;
     GLuint count = 0;
     pass_lists_draw(render);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->lists.buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->glass.lists.buffer);
     gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, COUNT * sizeof(GLuint), sizeof count, &count);
-    if (count > render->lists.fragments)
-        render->lists.fragments = count;
+    if (count > render->glass.lists.fragments)
+        render->glass.lists.fragments = count;
     return gl_check(gl, "counting transparent fragments");
 }
 
 /* Room for all of them, if there may be so much. */
 static bool make_room(Render *render)
 {
-    const GLuint count = render->lists.fragments;
+    const GLuint count = render->glass.lists.fragments;
     const size_t most = transparency_most_bytes(render);
-    render->lists.full = bytes_of(render, count) > most;
-    if (render->lists.full)
+    render->glass.lists.full = bytes_of(render, count) > most;
+    if (render->glass.lists.full)
         return gl_fail(render->gl, "%lu transparent fragments take %lu bytes in lists, and there may be %lu",
                        (unsigned long)count, (unsigned long)bytes_of(render, count), (unsigned long)most);
     return make_buffer(render, count);
@@ -109,7 +111,7 @@ bool pass_lists_count(Render *render, FrameCount step)
         return count_fragments(render);
     if (step == FRAME_COUNT_end)
         return make_room(render);
-    render->lists.fragments = 0;
+    render->glass.lists.fragments = 0;
     return bytes_of(render, 0) > transparency_most_bytes(render) ? make_room(render) : make_buffer(render, 0);
 }
 
@@ -118,7 +120,7 @@ bool pass_lists_make(Render *render)
     int units[2];
     if (!transparency_units(render, units))
         return false;
-    render->lists.depth_unit = units[0];
+    render->glass.lists.depth_unit = units[0];
     transparency_set(render, "lists_depth", (float)units[0]);
     return true;
 }
@@ -129,20 +131,20 @@ bool pass_blend_make(Render *render)
     transparency_reader(&render->set, reader);
     snprintf(veil, sizeof veil, "#define VEIL\n%s", reader);
     return lighting_make(render, &(LightingText){{reader, render_text_pass_blend}, true, 0, LIGHTING_layers},
-                         &render->blend) &&
+                         &render->glass.blend) &&
            pass_tools_make_veil(render, &(LightingText){{veil, render_text_pass_blend}, true, 0, LIGHTING_layers});
 }
 
 /* Lists are sorted where they lie, so that the veil finds them so. */
 void pass_blend_draw(Render *render)
 {
-    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->lists.buffer);
-    lighting_run(render, &(LightingSource){FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0}, &render->blend);
+    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->glass.lists.buffer);
+    lighting_run(render, &(LightingSource){FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0}, &render->glass.blend);
     pass_tools_draw_veil(render);
 }
 
 void pass_lists_delete(Render *render)
 {
-    render->gl->DeleteBuffers(1, &render->lists.buffer); /* GL ignores the name 0 */
-    render->lists = (FrameLists){0};
+    render->gl->DeleteBuffers(1, &render->glass.lists.buffer); /* GL ignores the name 0 */
+    render->glass.lists = (FrameLists){0};
 }

@@ -1,6 +1,7 @@
 /* What is found of indirect light, and by which numbers. */
 #include "runtime/indirect/indirect.h"
 #include "runtime/frame/frame.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/voxels.h"
 #include <string.h>
 

@@ -2,6 +2,7 @@
  * numbers of their motions. Where nothing moves, nothing of that runs. */
 #include "runtime/indirect/indirect_motion.h"
 #include "runtime/frame/frame.h"
+#include "runtime/frame/surface_draw.h"
 #include "runtime/indirect/voxels.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

@@ -1,6 +1,7 @@
 /* Infinite planes that rays of indirect light meet; what these go through, in words. */
 #include "grammar/tables.h"
 #include "runtime/frame/frame.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/shadow/shadow.h"
 #include <stdio.h>

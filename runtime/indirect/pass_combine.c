@@ -30,5 +30,5 @@ void pass_combine_draw(Render *render)
 {
     lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     texture_bind(render->gl, frame_texture(render, FRAME_TARGET_open, 0), LIGHTING_FREE_UNIT);
-    screen_pass_run(&render->indirect.combine, &render->draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->indirect.combine, &render->targets.draws[FRAME_DRAW_light], &render->screen);
 }

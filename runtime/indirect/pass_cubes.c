@@ -51,7 +51,7 @@ void pass_cubes_draw(Render *render)
 {
     render->gl->ActiveTexture(GL_TEXTURE0);
     render->gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels.map);
-    screen_pass_run(&render->voxels.view, &render->draws[FRAME_DRAW_cubes], &render->screen);
+    screen_pass_run(&render->voxels.view, &render->targets.draws[FRAME_DRAW_cubes], &render->screen);
 }
 
 void pass_cubes_delete(Render *render) { screen_pass_delete(&render->voxels.view); }

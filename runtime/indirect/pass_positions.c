@@ -1,6 +1,7 @@
 /* The pass positions: a view of the points that the picture knows, as a mesh, from beside. It is drawn over a depth of its own, which the layers that are peeled have else. Its GLSL is
  * positions_vertex.glsl and positions_fragment.glsl. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/surface_draw.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/voxels.h"
 #include <math.h>
@@ -93,7 +94,7 @@ void pass_positions_draw(Render *render)
     static const float none[4];
     const GlContext *gl = render->gl;
     const int squares = (render->size[0] - 1) * (render->size[1] - 1), vertices = 6;
-    surface_draw_begin(render, &render->draws[FRAME_DRAW_positions], GL_GREATER);
+    surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_positions], GL_GREATER);
     gl->ClearBufferfv(GL_COLOR, 0, none);
     gl->ClearBufferfv(GL_DEPTH, 0, none);
     texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), 0);

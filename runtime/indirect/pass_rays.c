@@ -119,14 +119,14 @@ static void run(Render *render, ScreenPass *pass)
 {
     const bool smoothed = indirect_is_smoothed(render);
     indirect_bind(render);
-    if (render->plan.there >> FRAME_TARGET_light & 1)
+    if (render->targets.plan.there >> FRAME_TARGET_light & 1)
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_light, 0), LIGHT_UNIT);
     if (indirect_reads_voxels(render))
         voxel_bricks_bind(render, VOXEL_UNIT);
     if (radiance_needed(render))
         radiance_bind(render, RADIANCE_UNIT);
     indirect_around_bind(render, SKY_UNIT);
-    const Framebuffer *target = &render->draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
+    const Framebuffer *target = &render->targets.draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
     screen_pass_run(pass, indirect_moves(render) ? &render->indirect.moving.found : target, &render->screen);
 }
 

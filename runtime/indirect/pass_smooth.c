@@ -101,7 +101,7 @@ static void draw_level(Render *render, int level)
     material_set_number(&pass->material, "smooth_level", (float)level);
     run(render, pass,
         level ? frame_texture(render, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_open, 0) : found(render),
-        level % 2 ? &render->indirect.between : &render->draws[FRAME_DRAW_smooth]);
+        level % 2 ? &render->indirect.between : &render->targets.draws[FRAME_DRAW_smooth]);
 }
 
 void pass_smooth_draw(Render *render)
@@ -112,7 +112,7 @@ void pass_smooth_draw(Render *render)
     else if (indirect_moves(render))
         run(render, &moving->smooth, found(render), &moving->smoothed);
     else
-        run(render, &render->indirect.smooth, found(render), &render->draws[FRAME_DRAW_smooth]);
+        run(render, &render->indirect.smooth, found(render), &render->targets.draws[FRAME_DRAW_smooth]);
 }
 
 static void spread(Render *render)
@@ -121,7 +121,7 @@ static void spread(Render *render)
         draw_level(render, level);
     if (is_spread(render))
         run(render, indirect_moves(render) ? &render->indirect.moving.spread : &render->indirect.spread,
-            frame_texture(render, FRAME_TARGET_smooth, 0), &render->draws[FRAME_DRAW_open]);
+            frame_texture(render, FRAME_TARGET_smooth, 0), &render->targets.draws[FRAME_DRAW_open]);
 }
 
 /* Then all three once more for each further bounce: light that surfaces send is then that of lights and of the bounces before. */

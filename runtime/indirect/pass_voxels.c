@@ -1,6 +1,7 @@
 /* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects move. Bodies turn bits over by an exclusive
  * or of the driver's, in waves of those that are apart; surfaces of the others set theirs along each axis; all are merged, then the levels above are made. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"

@@ -1,5 +1,6 @@
 /* What cached radiance is made with: programs of materials that end in nodes, buffers, and what passes read of it. */
 #include "runtime/indirect/radiance.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/voxels.h"
 #include "runtime/light/lighting.h"

@@ -1,4 +1,5 @@
 /* What stands where nothing is seen: shown by the pass tone as it is, and, behind what is transparent, by the pass light as light. */
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/light/lighting.h"
 #include <string.h>
 

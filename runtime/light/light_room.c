@@ -16,7 +16,7 @@ static size_t words_bytes(const Render *render)
 
 int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }
 
-static bool is_there(const Render *render) { return render->plan.there >> FRAME_TARGET_far & 1; }
+static bool is_there(const Render *render) { return render->targets.plan.there >> FRAME_TARGET_far & 1; }
 
 int light_far_bytes(const Render *render)
 {
@@ -79,21 +79,21 @@ static void make_view(const Render *render, GLenum format, GLuint buffer, GLuint
 
 bool light_far_make(Render *render)
 {
-    make_buffer(render, numbers_bytes, &render->far.numbers);
-    make_buffer(render, words_bytes(render), &render->far.words);
-    make_view(render, GL_RGBA32F, render->far.numbers, &render->far.texels);
-    make_view(render, GL_R32UI, render->far.words, &render->far.bits);
+    make_buffer(render, numbers_bytes, &render->light.far.numbers);
+    make_buffer(render, words_bytes(render), &render->light.far.words);
+    make_view(render, GL_RGBA32F, render->light.far.numbers, &render->light.far.texels);
+    make_view(render, GL_R32UI, render->light.far.words, &render->light.far.bits);
     return gl_check(render->gl, "making room for many lights");
 }
 
 void light_far_delete(Render *render)
 {
-    screen_pass_delete(&render->far.groups);
-    screen_pass_delete(&render->far.near);
-    screen_pass_delete(&render->far.gather);
-    render->gl->DeleteTextures(1, &render->far.texels); /* GL ignores the name 0 */
-    render->gl->DeleteTextures(1, &render->far.bits);
-    render->gl->DeleteBuffers(1, &render->far.numbers);
-    render->gl->DeleteBuffers(1, &render->far.words);
-    render->far = (FrameFar){0};
+    screen_pass_delete(&render->light.far.groups);
+    screen_pass_delete(&render->light.far.near);
+    screen_pass_delete(&render->light.far.gather);
+    render->gl->DeleteTextures(1, &render->light.far.texels); /* GL ignores the name 0 */
+    render->gl->DeleteTextures(1, &render->light.far.bits);
+    render->gl->DeleteBuffers(1, &render->light.far.numbers);
+    render->gl->DeleteBuffers(1, &render->light.far.words);
+    render->light.far = (FrameFar){0};
 }

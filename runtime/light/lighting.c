@@ -48,9 +48,9 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     lighting_place(render, pass);
     set(pass, "light_view", render->space.depth);
     set(pass, "light_ambient", ambient);
-    material_set_number(&pass->material, "light_plain", (float)render->light_counts[VIEW_SPACE_PLAIN]);
-    material_set_number(&pass->material, "light_points", (float)render->light_counts[VIEW_SPACE_POINTS]);
-    material_set_number(&pass->material, "light_areas", (float)render->light_counts[VIEW_SPACE_AREAS]);
+    material_set_number(&pass->material, "light_plain", (float)render->light.counts[VIEW_SPACE_PLAIN]);
+    material_set_number(&pass->material, "light_points", (float)render->light.counts[VIEW_SPACE_POINTS]);
+    material_set_number(&pass->material, "light_areas", (float)render->light.counts[VIEW_SPACE_AREAS]);
     for (int i = 0; i < targets; i++) {
         name[sizeof name - 2] = (char)('0' + i);
         screen_pass_sampler(pass, name, i);
@@ -76,11 +76,11 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
 {
     char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
     const char *exact[EXACT_TEXTS];
-    if ((!render->lights.texels && !lighting_lights(render)) || !shadow_make_tables(render))
+    if ((!render->light.table.texels && !lighting_lights(render)) || !shadow_make_tables(render))
         return false;
     const bool around_only = own->of == LIGHTING_around;
     light_table_define(render, own->block > 0 && own->of != LIGHTING_nodes, table);
-    const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0 && !around_only,
+    const bool areas = render->light.counts[VIEW_SPACE_AREAS] > 0 && !around_only,
                sky = light_sky_shines(render->scene);
     const bool soft = shadow_is_soft(render) && !around_only;
     const bool cells =
@@ -95,7 +95,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
         *defined = 0;
         shadows = exact[0] = exact[1] = exact[2] = "";
     }
-    if (sky && !render->sky.map && !light_sky_make(render))
+    if (sky && !render->light.sky.map && !light_sky_make(render))
         return false;
     float hemisphere[VIEW_SPACE_HEMISPHERE][4];
     const bool around = view_space_hemisphere(&render->space, render->scene, hemisphere);
@@ -153,7 +153,7 @@ bool lighting_change(Render *render, ScreenPass *pass)
     if (!light_table_write(render, LIGHTS_UNIT))
         return false;
     set_numbers(render, pass);
-    if (render->sky.map)
+    if (render->light.sky.map)
         light_sky_set(render, SKY_UNIT, pass);
     return true;
 }
@@ -168,7 +168,7 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
     pass_exact_bind(render, EXACT_UNIT);
     if (facet_lights_cast(render))
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_seen, 0), EXACT_UNIT);
-    if (render->sky.map)
+    if (render->light.sky.map)
         light_sky_bind(render, SKY_UNIT);
 }
 
@@ -180,6 +180,6 @@ void lighting_run(Render *render, const LightingSource *source, ScreenPass *pass
         lighting_bind(render, source->surfaces, source->depth);
         if (source->own)
             texture_bind(render->gl, source->own, LIGHTING_FREE_UNIT);
-        screen_pass_run(pass, &render->draws[FRAME_DRAW_light], &render->screen);
+        screen_pass_run(pass, &render->targets.draws[FRAME_DRAW_light], &render->screen);
     }
 }

@@ -3,7 +3,7 @@
 #define MATC_LIGHT_LIGHTING_H
 #include "runtime/frame/frame.h"
 
-/* The sky as a light (light_sky.c): the scene has one that shines; makes render->sky, with the cache's sky; tells a pass; binds its map. */
+/* The sky as a light (light_sky.c): the scene has one that shines; makes render->light.sky, with the cache's sky; tells a pass; binds its map. */
 bool light_sky_shines(const Scene *scene);
 bool light_sky_make(Render *render);
 void light_sky_set(const Render *render, int unit, ScreenPass *pass);

@@ -31,8 +31,8 @@ bool pass_gather_make(Render *render)
         [LIGHT_FAR_groups] = {render_text_pass_groups},
         [LIGHT_FAR_near] = {render_text_far_lobe, render_text_far_light, render_text_pass_near},
         [LIGHT_FAR_gather] = {render_text_far_lobe, render_text_far_light, render_text_pass_gather}};
-    FrameFar *far = &render->far;
-    if ((!render->lights.texels && !lighting_lights(render)) ||
+    FrameFar *far = &render->light.far;
+    if ((!render->light.table.texels && !lighting_lights(render)) ||
         !make(render, LIGHT_FAR_groups, texts[LIGHT_FAR_groups], &far->groups) ||
         !make(render, LIGHT_FAR_near, texts[LIGHT_FAR_near], &far->near) ||
         !make(render, LIGHT_FAR_gather, texts[LIGHT_FAR_gather], &far->gather))
@@ -45,7 +45,7 @@ void pass_gather_draw(Render *render)
 {
     lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     light_far_bind(render);
-    screen_pass_run(&render->far.groups, &render->draws[FRAME_DRAW_light], &render->screen);
-    screen_pass_run(&render->far.near, &render->draws[FRAME_DRAW_light], &render->screen);
-    screen_pass_run(&render->far.gather, &render->draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->light.far.groups, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->light.far.near, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->light.far.gather, &render->targets.draws[FRAME_DRAW_light], &render->screen);
 }

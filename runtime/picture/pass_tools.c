@@ -1,5 +1,6 @@
 /* The pass tools: lines in fixed colours, which tone mapping does not change. They stand in the depth as what is opaque does, black in the light; their
  * colours are in a target beside it, under the same glass, and the pass tone adds them. Their GLSL is tools_vertex.glsl and tools_fragment.glsl. */
+#include "runtime/frame/surface_draw.h"
 #include "runtime/picture/picture.h"
 #include "runtime/shadow/volume.h"
 #include "runtime/sight/tool_lines.h"
@@ -19,16 +20,16 @@ bool pass_tools_needed(const Render *render)
            (!view || !strcmp(view, "shown"));
 }
 
-bool pass_tools_are_there(const Render *render) { return render->plan.there >> FRAME_TARGET_tools & 1; }
+bool pass_tools_are_there(const Render *render) { return render->targets.plan.there >> FRAME_TARGET_tools & 1; }
 
 static void set(Render *render, const char *name, const float values[4])
 {
-    material_set(&render->tools.material, &(MaterialValue){name, 4, values});
+    material_set(&render->picture.tools.material, &(MaterialValue){name, 4, values});
 }
 
 void pass_tools_place(Render *render)
 {
-    if (render->tools.material.store)
+    if (render->picture.tools.material.store)
         set(render, "tools_ray", render->space.ray);
 }
 
@@ -46,13 +47,13 @@ static bool make_vertices(Render *render)
     ToolLines lines;
     if (!tool_lines_make(render->scene, &render->space, &lines))
         return gl_fail(render->gl, "out of memory");
-    render->tools.count = lines.count;
-    if (!render->tools.array) {
-        gl->GenVertexArrays(1, &render->tools.array);
-        gl->GenBuffers(1, &render->tools.buffer);
+    render->picture.tools.count = lines.count;
+    if (!render->picture.tools.array) {
+        gl->GenVertexArrays(1, &render->picture.tools.array);
+        gl->GenBuffers(1, &render->picture.tools.buffer);
     }
-    gl->BindVertexArray(render->tools.array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, render->tools.buffer);
+    gl->BindVertexArray(render->picture.tools.array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, render->picture.tools.buffer);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)lines.count * (GLsizeiptr)sizeof *lines.vertices, lines.vertices,
                    GL_DYNAMIC_DRAW);
     for (GLuint i = 0; i < 2; i++) {
@@ -69,7 +70,7 @@ static bool make_vertices(Render *render)
 bool pass_tools_change(Render *render)
 {
     const float *m = render->space.spaces.clip_from_eye.m;
-    if (!render->tools.material.store)
+    if (!render->picture.tools.material.store)
         return true;
     set(render, "tools_clip", (float[]){m[0], m[5], m[10], m[14]});
     set(render, "tools_w", (float[]){m[11], m[15], 0, 0});
@@ -91,8 +92,8 @@ static bool make_targets(Render *render)
                                        .depth = frame_texture(render, FRAME_TARGET_depth, 0),
                                        .formats = {format, format}},
                               veil = {.colors = {shown}, .formats = {format}};
-    return framebuffer_make_around(render->gl, &both, &lines, &render->tools.lines) &&
-           framebuffer_make_around(render->gl, &alone, &veil, &render->tools.colors);
+    return framebuffer_make_around(render->gl, &both, &lines, &render->picture.tools.lines) &&
+           framebuffer_make_around(render->gl, &alone, &veil, &render->picture.tools.colors);
 }
 
 bool pass_tools_make(Render *render)
@@ -101,7 +102,7 @@ bool pass_tools_make(Render *render)
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
     const ProgramText text = {.vertex = {head, render_text_tools_vertex},
                               .fragment = {head, render_text_tools_fragment}};
-    return make_targets(render) && material_make(render->store, NULL, &text, &render->tools.material) &&
+    return make_targets(render) && material_make(render->store, NULL, &text, &render->picture.tools.material) &&
            pass_tools_change(render) && volume_shown_make(render);
 }
 
@@ -109,11 +110,11 @@ void pass_tools_draw(Render *render)
 {
     static const float none[4];
     const GlContext *gl = render->gl;
-    surface_draw_begin(render, &render->tools.lines, GL_GREATER);
+    surface_draw_begin(render, &render->picture.tools.lines, GL_GREATER);
     gl->ClearBufferfv(GL_COLOR, 1, none);
-    material_use(&render->tools.material);
-    gl->BindVertexArray(render->tools.array);
-    gl->DrawArrays(GL_LINES, 0, render->tools.count);
+    material_use(&render->picture.tools.material);
+    gl->BindVertexArray(render->picture.tools.array);
+    gl->DrawArrays(GL_LINES, 0, render->picture.tools.count);
     gl->BindVertexArray(0);
     volume_shown_draw(render);
     surface_draw_end(render);
@@ -121,23 +122,23 @@ void pass_tools_draw(Render *render)
 
 bool pass_tools_make_veil(Render *render, const LightingText *text)
 {
-    return !pass_tools_are_there(render) || lighting_make(render, text, &render->tools.veil);
+    return !pass_tools_are_there(render) || lighting_make(render, text, &render->picture.tools.veil);
 }
 
 void pass_tools_draw_veil(Render *render)
 {
     if (pass_tools_are_there(render))
-        screen_pass_run(&render->tools.veil, &render->tools.colors, &render->screen);
+        screen_pass_run(&render->picture.tools.veil, &render->picture.tools.colors, &render->screen);
 }
 
 void pass_tools_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    material_delete(&render->tools.material);
-    screen_pass_delete(&render->tools.veil);
-    framebuffer_delete(gl, &render->tools.lines);
-    framebuffer_delete(gl, &render->tools.colors);
-    gl->DeleteVertexArrays(1, &render->tools.array); /* GL ignores the name 0 */
-    gl->DeleteBuffers(1, &render->tools.buffer);
-    render->tools = (FrameTools){0};
+    material_delete(&render->picture.tools.material);
+    screen_pass_delete(&render->picture.tools.veil);
+    framebuffer_delete(gl, &render->picture.tools.lines);
+    framebuffer_delete(gl, &render->picture.tools.colors);
+    gl->DeleteVertexArrays(1, &render->picture.tools.array); /* GL ignores the name 0 */
+    gl->DeleteBuffers(1, &render->picture.tools.buffer);
+    render->picture.tools = (FrameTools){0};
 }

@@ -7,7 +7,7 @@ static void put_grids(Text *out, const Render *render)
 {
     const ShadowViews *views = &render->shadows.views;
     bool hybrid = false, traced_maps = false, transparent = false;
-    for (int i = 0; render->plan.there >> FRAME_TARGET_shadow & 1 && i < views->count; i++) {
+    for (int i = 0; render->targets.plan.there >> FRAME_TARGET_shadow & 1 && i < views->count; i++) {
         hybrid |= views->views[i].hybrid;
         traced_maps |= !views->views[i].hybrid;
     }
@@ -18,7 +18,7 @@ static void put_grids(Text *out, const Render *render)
         bool there;
         const char *name;
     } grids[] = {{render->voxels.map != 0, "voxels"},
-                 {render->plan.there >> FRAME_TARGET_edge & 1, "edges"},
+                 {render->targets.plan.there >> FRAME_TARGET_edge & 1, "edges"},
                  {hybrid, "hybrid shadows"},
                  {traced_maps && render->scene->displaced_by == WORD_Displacing_parallax, "shadow maps"},
                  {transparent, "what is transparent"}};

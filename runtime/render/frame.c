@@ -164,7 +164,7 @@ const char *frame_reason(const Render *render, const FramePlanRequest *request, 
     void (*const draw)(Render *) = frame_passes[pass].draw;
     const char *lacks = draw == pass_edge_draw ? pass_edge_lacks(render) : NULL;
     lacks = draw == pass_gather_draw ? light_far_lacks(render) : lacks;
-    return lacks ? lacks : frame_plan_reason(request, &render->plan, pass);
+    return lacks ? lacks : frame_plan_reason(request, &render->targets.plan, pass);
 }
 
 /* -- the plan */
@@ -225,8 +225,8 @@ void frame_place(Render *render)
     view_space_place(&render->space, render->whole, render->at);
     render->exact.seen = false;
     shadow_sheet_place(render);
-    lighting_place(render, &render->light);
-    lighting_place(render, &render->far.groups);
+    lighting_place(render, &render->light.pass);
+    lighting_place(render, &render->light.far.groups);
     pass_edge_place(render);
     pass_tools_place(render);
     volume_shown_place(render);
@@ -234,8 +234,8 @@ void frame_place(Render *render)
     pass_cubes_place(render);
     pass_positions_place(render);
     pass_combine_place(render);
-    lighting_place(render, &render->blend);
-    lighting_place(render, &render->peel);
+    lighting_place(render, &render->glass.blend);
+    lighting_place(render, &render->glass.peel);
 }
 
 /* What a pass counts in: all that is drawn before it, if it sees light, else depths alone. */
@@ -243,7 +243,7 @@ static void draw_before(Render *render, int pass)
 {
     const bool all = (frame_passes[pass].plan.reads & LIGHT) != 0;
     for (int i = 0; i < PASS_COUNT_HERE; i++)
-        if (render->plan.runs >> i & 1 &&
+        if (render->targets.plan.runs >> i & 1 &&
             (all ? i < pass : (frame_passes[i].plan.fills | frame_passes[i].plan.changes) & DEPTH))
             frame_passes[i].draw(render);
 }
@@ -280,7 +280,8 @@ bool frame_count(Render *render)
 {
     bool fine = true;
     for (int i = 0; fine && i < PASS_COUNT_HERE; i++)
-        if (render->plan.runs >> i & 1 && frame_passes[i].count && frame_passes[i].count(render, FRAME_COUNT_wanted))
+        if (render->targets.plan.runs >> i & 1 && frame_passes[i].count &&
+            frame_passes[i].count(render, FRAME_COUNT_wanted))
             fine = count_pass(render, i);
     return fine;
 }
@@ -290,21 +291,22 @@ bool frame_make(Render *render)
     FramePlanRows made;
     frame_forms_find(render);
     frame_request(render, &made);
-    frame_plan(&made.request, &render->plan);
+    frame_plan(&made.request, &render->targets.plan);
     frame_memory_size(render);
     bool fine = frame_memory_make(render);
     for (int draw = 0; fine && draw < FRAME_DRAW_COUNT; draw++)
         fine = frame_make_draw(render, (FrameDraw)draw);
     for (int i = 0; fine && i < PASS_COUNT_HERE; i++)
-        if (render->plan.runs >> i & 1 && frame_passes[i].make)
+        if (render->targets.plan.runs >> i & 1 && frame_passes[i].make)
             fine = frame_passes[i].make(render);
     return fine && frame_count(render);
 }
 
 bool frame_change(Render *render, unsigned what)
 {
-    ScreenPass *passes[] = {&render->light, &render->far.groups,       &render->far.near, &render->far.gather,
-                            &render->blend, &render->indirect.combine, &render->peel,     &render->radiance.light};
+    ScreenPass *passes[] = {&render->light.pass,       &render->light.far.groups, &render->light.far.near,
+                            &render->light.far.gather, &render->glass.blend,      &render->indirect.combine,
+                            &render->glass.peel,       &render->radiance.light};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
     render->radiance.drawn &= !(what & RENDER_LIGHTS);
     pass_volume_change(render);
@@ -325,7 +327,7 @@ bool frame_change(Render *render, unsigned what)
 void frame_draw(Render *render)
 {
     for (int i = 0; i < PASS_COUNT_HERE; i++)
-        if (render->plan.runs >> i & 1)
+        if (render->targets.plan.runs >> i & 1)
             frame_passes[i].draw(render);
     render->indirect.moving.on = false;
 }
@@ -333,7 +335,7 @@ void frame_draw(Render *render)
 void frame_delete(Render *render)
 {
     GlContext *gl = render->gl;
-    screen_pass_delete(&render->light);
+    screen_pass_delete(&render->light.pass);
     pass_tone_delete(render);
     indirect_delete(render);
     indirect_motion_delete(render);
@@ -341,11 +343,11 @@ void frame_delete(Render *render)
     pass_edge_delete(render);
     pass_tools_delete(render);
     pass_positions_delete(render);
-    screen_pass_delete(&render->blend);
+    screen_pass_delete(&render->glass.blend);
     pass_lists_delete(render);
     pass_peel_delete(render);
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)
-        framebuffer_delete(gl, &render->draws[draw]);
+        framebuffer_delete(gl, &render->targets.draws[draw]);
     frame_memory_delete(render);
     pass_volume_delete(render);
     pass_shadow_delete(render);
@@ -354,7 +356,7 @@ void frame_delete(Render *render)
     pass_voxels_delete(render);
     radiance_delete(render);
     light_table_delete(render);
-    gl->DeleteTextures(1, &render->sky.map); /* GL ignores the name 0 */
-    render->sky = (SkyLight){0};
-    render->plan = (FramePlan){0};
+    gl->DeleteTextures(1, &render->light.sky.map); /* GL ignores the name 0 */
+    render->light.sky = (SkyLight){0};
+    render->targets.plan = (FramePlan){0};
 }

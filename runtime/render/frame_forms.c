@@ -64,7 +64,7 @@ static int coarse_of(const Render *render, FrameTarget target)
 void frame_forms_find(Render *render)
 {
     for (FrameTarget target = 0; target < FRAME_TARGET_COUNT; target++) {
-        FrameForm *form = &render->forms[target];
+        FrameForm *form = &render->targets.forms[target];
         *form = (FrameForm){.coarse = coarse_of(render, target)};
         for (int t = 0; t < FRAME_PLAN_TEXTURES && (form->formats[t] = format_of(render, target, t)); t++)
             ;

@@ -19,11 +19,11 @@ bool frame_memory_make(Render *render)
 {
     bool fine = true;
     for (FrameTarget target = 0; target < FRAME_TARGET_COUNT; target++)
-        for (int i = 0; fine && i < FRAMEBUFFER_COLORS && render->plan.memory[target][i] >= 0; i++) {
+        for (int i = 0; fine && i < FRAMEBUFFER_COLORS && render->targets.plan.memory[target][i] >= 0; i++) {
             const TargetSpec spec = {frame_edge(render, target, 0), frame_edge(render, target, 1),
                                      frame_format(render, target, i)};
-            fine = make_texture(render, &render->memory[render->plan.memory[target][i]], &spec,
-                                &render->textures[target][i]);
+            fine = make_texture(render, &render->targets.memory[render->targets.plan.memory[target][i]], &spec,
+                                &render->targets.textures[target][i]);
         }
     return fine;
 }
@@ -33,14 +33,15 @@ void frame_memory_delete(Render *render)
     const GlContext *gl = render->gl;
     for (int target = 0; target < FRAME_TARGET_COUNT; target++)
         for (int i = 0; i < FRAMEBUFFER_COLORS; i++) {
-            const int piece = render->plan.memory[target][i];
-            if (render->textures[target][i] && render->textures[target][i] != render->memory[piece].texture)
-                gl->DeleteTextures(1, &render->textures[target][i]);
+            const int piece = render->targets.plan.memory[target][i];
+            if (render->targets.textures[target][i] &&
+                render->targets.textures[target][i] != render->targets.memory[piece].texture)
+                gl->DeleteTextures(1, &render->targets.textures[target][i]);
         }
     for (int piece = 0; piece < FRAME_PLAN_PIECES; piece++)
-        gl->DeleteTextures(1, &render->memory[piece].texture); /* GL ignores the name 0 */
-    memset(render->textures, 0, sizeof render->textures);
-    memset(render->memory, 0, sizeof render->memory);
+        gl->DeleteTextures(1, &render->targets.memory[piece].texture); /* GL ignores the name 0 */
+    memset(render->targets.textures, 0, sizeof render->targets.textures);
+    memset(render->targets.memory, 0, sizeof render->targets.memory);
 }
 
 static int least(int a, int b) { return a < b ? a : b; }
@@ -60,14 +61,14 @@ static int step_of(const Render *render)
 /* Something looks at so much of the picture that there are no tiles. */
 static bool is_whole(const Render *render)
 {
-    const unsigned there = render->plan.there;
+    const unsigned there = render->targets.plan.there;
     return there & 1u << FRAME_TARGET_positions || (there & 1u << FRAME_TARGET_open && indirect_margin(render) < 0);
 }
 
 /* What a tile looks at around itself: edges at their neighbours, indirect light farther. */
 static int margin_of(const Render *render)
 {
-    const unsigned there = render->plan.there;
+    const unsigned there = render->targets.plan.there;
     const int step = step_of(render), beside = there & 1u << FRAME_TARGET_edge ? step : 0;
     const int around = there & 1u << FRAME_TARGET_open && !is_whole(render) ? indirect_margin(render) + beside : 0;
     return around > beside ? round_up(around, step) : beside;

@@ -7,7 +7,7 @@
 void frame_memory_size(Render *render);
 /* The camera is another: the margin is still enough. */
 bool frame_memory_fits(const Render *render);
-/* Makes render->memory and render->textures, of that size. False: out of memory. */
+/* Makes render->targets.memory and render->targets.textures, of that size. False: out of memory. */
 bool frame_memory_make(Render *render);
 void frame_memory_delete(Render *render);
 #endif

@@ -1,6 +1,7 @@
 /* The passes that rasterise: surfaces into depth and G-buffer, planes beside them, the sky where nothing is. Depth is reversed: it begins at
  * 0, and what is nearer is greater. */
 #include "runtime/cache/cache_trace.h"
+#include "runtime/frame/surface_draw.h"
 #include "runtime/render/passes.h"
 #include "runtime/shadow/exact.h"
 #include "runtime/shadow/shadow.h"
@@ -30,7 +31,7 @@ static void draw_traced(Render *render, const Framebuffer *framebuffer)
     static const GLuint nothing[4];
     GlContext *gl = render->gl;
     const CacheSource source = frame_source(render);
-    frame_use(render, &render->draws[FRAME_DRAW_traced]);
+    frame_use(render, &render->targets.draws[FRAME_DRAW_traced]);
     gl->ClearBufferuiv(GL_COLOR, 0, nothing);
     cache_trace_rays(gl, &source, &render->cache);
     frame_use(render, framebuffer);
@@ -43,7 +44,7 @@ static void draw_traced(Render *render, const Framebuffer *framebuffer)
 void pass_surface_draw(Render *render)
 {
     const bool numbers = facet_lights_seen(render) && !render->exact.seen;
-    const Framebuffer *framebuffer = &render->draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
+    const Framebuffer *framebuffer = &render->targets.draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
     surface_draw_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
     pass_exact_begin(render);
@@ -56,7 +57,7 @@ void pass_surface_draw(Render *render)
 
 void pass_plane_draw(Render *render)
 {
-    surface_draw_begin(render, &render->draws[FRAME_DRAW_surface], GL_GREATER);
+    surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_surface], GL_GREATER);
     surface_draw_planes(render, false);
     surface_draw_end(render);
 }
@@ -65,7 +66,7 @@ void pass_plane_draw(Render *render)
 void pass_sky_draw(Render *render)
 {
     const GlContext *gl = render->gl;
-    surface_draw_begin(render, &render->draws[FRAME_DRAW_sky], GL_EQUAL);
+    surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_sky], GL_EQUAL);
     gl->DepthRange(0, 0);
     material_use(&render->cache.sky);
     screen_draw(gl, &render->screen);

@@ -27,7 +27,7 @@ extern const FramePass frame_passes[];
 int frame_pass_count(void);
 /* The same, and in buffers of far lights and of sheets: all memory there is, but for lists. frame_forms.c */
 int frame_all_bytes(const Render *render);
-/* Fills render->forms. frame_forms.c */
+/* Fills render->targets.forms. frame_forms.c */
 void frame_forms_find(Render *render);
 /* Tells the passes where the tile is. */
 void frame_place(Render *render);

@@ -1,5 +1,6 @@
 /* The renderer as its caller sees it: what is made when, and what is read. */
 #include "runtime/render/render.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/indirect_motion.h"
 #include "runtime/indirect/voxels.h"
@@ -228,11 +229,12 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
 static bool make_again(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
-    ScreenPass passes[] = {render->light, render->far.groups, render->far.near, render->far.gather,
-                           render->tone,  render->blend,      render->peel};
+    ScreenPass passes[] = {render->light.pass,       render->light.far.groups, render->light.far.near,
+                           render->light.far.gather, render->picture.tone,     render->glass.blend,
+                           render->glass.peel};
     render->cache = (Cache){0};
-    render->light = render->far.groups = render->far.near = render->far.gather = render->tone = render->blend =
-        render->peel = (ScreenPass){0};
+    render->light.pass = render->light.far.groups = render->light.far.near = render->light.far.gather =
+        render->picture.tone = render->glass.blend = render->glass.peel = (ScreenPass){0};
     forget_scene(render);
     const bool done = make_next(render, scene, &before);
     cache_delete(render->gl, &before);
@@ -261,7 +263,7 @@ bool render_changed(Render *render, unsigned what)
     if (what & RENDER_LIGHTS && !render_lights_kept(render))
         return render_changed_meshes(render);
     if (what & RENDER_TIME) { /* cut-outs may be others */
-        render->uncounted = true, render->shadows.drawn = false;
+        render->glass.uncounted = true, render->shadows.drawn = false;
         pass_voxels_forget_time(render);
     }
     if (what & (RENDER_CAMERA | RENDER_TIME) || (what & RENDER_LIGHTS && cache_mesh_by_lights(&render->cache))) {
@@ -274,7 +276,7 @@ bool render_changed(Render *render, unsigned what)
         if (render->cache.displaced_anew) /* and casts other shadows */
             render->cache.displaced_anew = render->shadows.drawn = false;
     }
-    render->uncounted |=
+    render->glass.uncounted |=
         (what & RENDER_CAMERA) != 0 || (what & RENDER_LIGHTS && pass_tone_count(render, FRAME_COUNT_wanted));
     const bool fitted = what & RENDER_CAMERA && render->scene->shadow_cascades > 1;
     return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what) &&
@@ -288,7 +290,7 @@ bool render_changed_objects(Render *render, int first, int count)
     const CacheSource source = frame_source(render);
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
-    render->uncounted = true;
+    render->glass.uncounted = true;
     if (!cache_move(render->gl, &source, &render->cache, first, count) || !shadow_change(render, true) ||
         !pass_voxels_change(render))
         return false;
@@ -313,7 +315,7 @@ bool render_changed_meshes(Render *render) { return has_scene(render) && render_
 /* What changed may have more transparent fragments, or layers. Where lists would be too long, the scene is made again. */
 static bool recount(Render *render)
 {
-    render->uncounted = false;
+    render->glass.uncounted = false;
     return (frame_count(render) && pass_shadow_count(render)) ||
            ((transparency_falls_back(render) || shadow_parts_fall_back(render)) && render_changed_meshes(render));
 }
@@ -322,7 +324,7 @@ bool render_frame(Render *render)
 {
     if (!render->scene)
         return gl_fail(render->gl, "there is no scene to draw");
-    if (render->uncounted && !recount(render))
+    if (render->glass.uncounted && !recount(render))
         return false;
     frame_draw(render);
     return true;

@@ -50,7 +50,7 @@ bool render_param(Render *render, int material, const char *name, const float *l
 {
     if (!render->scene)
         return gl_fail(render->gl, "there is no scene to change");
-    render->uncounted = true; /* a cut-out may be another */
+    render->glass.uncounted = true; /* a cut-out may be another */
     render->shadows.drawn = false;
     pass_voxels_forget(render);
     const MaterialValue value = {name, count, lanes};

@@ -16,7 +16,7 @@ static bool read_depth(Render *render, bool shown, float *rgba)
     float *depth = malloc(count * sizeof *depth);
     if (!depth)
         return gl_fail(gl, "out of memory");
-    gl->BindFramebuffer(GL_FRAMEBUFFER, render->draws[FRAME_DRAW_surface].name);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->targets.draws[FRAME_DRAW_surface].name);
     gl->ReadPixels(0, 0, render->size[0], render->size[1], GL_DEPTH_COMPONENT, GL_FLOAT, depth);
     for (size_t i = 0; i < count; i++) {
         if (shown)
@@ -38,18 +38,18 @@ static bool show_last(const Render *render, float *rgba)
 static bool read_samples(Render *render, float *rgba)
 {
     const char *view = view_of(render);
-    const Framebuffer *surface = &render->draws[FRAME_DRAW_surface];
+    const Framebuffer *surface = &render->targets.draws[FRAME_DRAW_surface];
     if (!strcmp(view, "light"))
-        return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_light], 0, rgba);
+        return framebuffer_read(render->gl, &render->targets.draws[FRAME_DRAW_light], 0, rgba);
     if (!strcmp(view, "depth"))
         return read_depth(render, true, rgba);
     if (indirect_view_lanes(view))
-        return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_open], 0, rgba) &&
+        return framebuffer_read(render->gl, &render->targets.draws[FRAME_DRAW_open], 0, rgba) &&
                (indirect_view_lanes(view) > 1 || show_last(render, rgba));
     if (voxels_view_level(view) >= 0)
-        return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_cubes], 0, rgba);
+        return framebuffer_read(render->gl, &render->targets.draws[FRAME_DRAW_cubes], 0, rgba);
     if (pass_positions_is_view(view))
-        return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_positions], 0, rgba);
+        return framebuffer_read(render->gl, &render->targets.draws[FRAME_DRAW_positions], 0, rgba);
     if (render->has_reader)
         return reader_read(&render->reader, surface, render_find_slot(view), rgba) && read_depth(render, false, rgba);
     memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);
@@ -107,7 +107,7 @@ bool render_read(Render *render, float *rgba)
     if (!gl_check(render->gl, "drawing a frame"))
         return false;
     if (!strcmp(view_of(render), "shown"))
-        return framebuffer_read_part(render->gl, &render->draws[FRAME_DRAW_shown], &part, rgba);
+        return framebuffer_read_part(render->gl, &render->targets.draws[FRAME_DRAW_shown], &part, rgba);
     return render->samples > 1 || render->margin ? read_mean(render, rgba) : read_samples(render, rgba);
 }
 

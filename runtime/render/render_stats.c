@@ -1,5 +1,6 @@
 /* What runs, in words: the passes and their targets, and what they took. */
 #include "compiler/base/session.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/gl/clock.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/voxels.h"
@@ -208,7 +209,7 @@ static void put_memory(Text *out, const Render *render)
             transparency_put_lists(out, render);
         else if (target == FRAME_TARGET_far)
             light_far_put(out, render);
-        else if (render->plan.memory[i][0] < 0)
+        else if (render->targets.plan.memory[i][0] < 0)
             text_format(out, "%-8s  %-24s  not there\n", frame_target_name(target), formats.at);
         else {
             text_format(out, "%-8s  %-24s  ", frame_target_name(target), formats.at);
@@ -221,7 +222,7 @@ static void put_memory(Text *out, const Render *render)
         text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n", render->samples,
                     render->samples);
     displaced_stats_put(out, render);
-    if (render->plan.there >> FRAME_TARGET_shadow & 1)
+    if (render->targets.plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
     if (indirect_is(render))
         indirect_planes_put(out, render);
@@ -294,7 +295,7 @@ int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
         false; /* to be timed with the others */
     for (int i = 0; i < frame_pass_count(); i++) {
         times[i] = (RenderPassTime){frame_passes[i].plan.name, 0};
-        if (render->plan.runs >> i & 1)
+        if (render->targets.plan.runs >> i & 1)
             times[i].seconds = time_pass(render, i);
     }
     return frame_pass_count();
@@ -304,7 +305,7 @@ int render_pixel_bytes(const Render *render) { return frame_all_bytes(render); }
 
 int render_fragment_bytes(const Render *render)
 {
-    return render->lists.buffer ? (int)sizeof(GLuint) * transparency_stride(&render->set) : 0;
+    return render->glass.lists.buffer ? (int)sizeof(GLuint) * transparency_stride(&render->set) : 0;
 }
 
 /* Lists are made once more, as when a light moves. */

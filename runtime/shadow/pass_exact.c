@@ -2,6 +2,7 @@
  * of them. */
 #include "runtime/cache/exact_number.h"
 #include "runtime/frame/frame.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/shadow/exact.h"
 #include <stdlib.h>
 #include <string.h>
@@ -129,8 +130,8 @@ static void set_numbers(const Render *render, ScreenPass *pass)
 
 static void set_all_numbers(Render *render)
 {
-    ScreenPass *passes[] = {&render->light,      &render->far.groups, &render->far.near,
-                            &render->far.gather, &render->blend,      &render->peel};
+    ScreenPass *passes[] = {&render->light.pass,       &render->light.far.groups, &render->light.far.near,
+                            &render->light.far.gather, &render->glass.blend,      &render->glass.peel};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         if (passes[i]->material.store)
             set_numbers(render, passes[i]);
@@ -140,7 +141,7 @@ bool pass_exact_change(Render *render, unsigned what)
 {
     const bool there = render->exact.corners, needed = exact_lights_cast(render), lights = what & RENDER_LIGHTS;
     render->exact.seen &= !(what & RENDER_CAMERA);
-    if (!there && lights && needed && render->light.material.store)
+    if (!there && lights && needed && render->light.pass.material.store)
         return gl_fail(render->gl, "shadows are exact where none were otherwise: this is another scene");
     if (there && !needed)
         return gl_fail(render->gl, "no shadows are exact where some were: this is another scene");

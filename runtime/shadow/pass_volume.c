@@ -6,6 +6,7 @@
  * point. A spot or a face of a cube has a far side, from border to border; as it has the vertices of the border, both cancel exactly where
  * there is no shadow. Depth is clamped: nothing is cut off. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/surface_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/volume.h"
 #include <math.h>
@@ -250,7 +251,7 @@ void pass_volume_draw(Render *render)
 {
     const GlContext *gl = render->gl;
     int number = 0;
-    surface_draw_begin(render, &render->draws[FRAME_DRAW_mask], GL_GEQUAL);
+    surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_mask], GL_GEQUAL);
     gl->ClearBufferfv(GL_COLOR, 0, (float[4]){0});
     gl->Clear(GL_STENCIL_BUFFER_BIT);
     gl->DepthMask(GL_FALSE);

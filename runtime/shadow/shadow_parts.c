@@ -5,6 +5,7 @@
  * Worked example: two maps of 4 x 4 texels with three fragments each, 8 + 32 + 96 words. If there may be 80: rows 0 to 3 take 8 + 16 + 48, so
  * they are one part, and rows 4 to 7 the other. If there may be 20: a row takes 8 + 4 + 12 and is too much, two of its texels take 16. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/shadow/shadow.h"
 #include <stdlib.h>
 

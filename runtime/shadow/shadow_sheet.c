@@ -4,6 +4,7 @@
  *
  * As a texel has one depth, surfaces that are transparent are peeled where there are sheets. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
 #include <math.h>
@@ -277,7 +278,7 @@ void shadow_sheet_draw(const Render *render, GLuint depth)
     const ShadowSheets *sheets = &render->shadows.sheets;
     if (!sheets->materials)
         return;
-    framebuffer_use(gl, &render->draws[FRAME_DRAW_light]);
+    framebuffer_use(gl, &render->targets.draws[FRAME_DRAW_light]);
     gl->DrawBuffers(1, &none);
     gl->BindImageTexture(IMAGE_UNIT, sheets->layers, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RG32UI);
     texture_bind(gl, depth, sheets->depth_unit);

@@ -1,5 +1,6 @@
 /* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl goes by. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
@@ -171,9 +172,9 @@ bool shadow_change(Render *render, bool drawn_again)
         if (!shadow_make_views(render))
             return false;
         maps->drawn = false;
-        render->uncounted |= shadow_glass_needed(render);
+        render->glass.uncounted |= shadow_glass_needed(render);
     }
-    if (maps->views.count != before || (has_planes(render) && !maps->planes && render->light.material.store))
+    if (maps->views.count != before || (has_planes(render) && !maps->planes && render->light.pass.material.store))
         return gl_fail(render->gl, "the lights' shadows take %d maps, not %d: this is another scene", maps->views.count,
                        before);
     shadow_sheet_change(render);
@@ -238,7 +239,7 @@ const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_D
 static void put_areas(const Render *render, float (*texels)[4])
 {
     const ShadowViews *views = &render->shadows.views;
-    float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_AREAS);
+    float(*next)[4] = texels + view_space_texels(render->light.counts, VIEW_SPACE_AREAS);
     for (int i = 0; i < render->scene->light_count; i++) {
         if (render->scene->lights[i].kind != SCENE_Area)
             continue;
@@ -252,7 +253,7 @@ void shadow_put_lights(const Render *render, float (*texels)[4])
 {
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;
-    float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_POINTS);
+    float(*next)[4] = texels + view_space_texels(render->light.counts, VIEW_SPACE_POINTS);
     put_areas(render, texels);
     for (int i = 0, layer = 0, bit = 0, exact = 0; i < scene->light_count; i++) {
         layer += shadow_sheet_reads(&scene->lights[i]);

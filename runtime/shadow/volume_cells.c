@@ -1,6 +1,7 @@
 /* Shadow volumes that silhouettes cut, volume_cells.glsl: its vertices have no attributes. When maps are drawn, a program lists the cells of each view that
  * have a surface, those that silhouettes cross apart from the rest (volume_list.glsl), and counts the vertices that they take, which two draws then go by. */
 #include "runtime/frame/frame.h"
+#include "runtime/frame/transparency_draw.h"
 #include "runtime/shadow/silhouette.h"
 #include "runtime/shadow/volume.h"
 #include <stdint.h>

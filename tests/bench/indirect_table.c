@@ -244,7 +244,7 @@ static bool find_values(const Bench *b, const char *keys, float *rgba)
 {
     Drawn drawn;
     const bool fine = open_drawn(b, keys, "indirect", &drawn) &&
-                      framebuffer_read(b->gl, &drawn.render->draws[FRAME_DRAW_open], 0, rgba);
+                      framebuffer_read(b->gl, &drawn.render->targets.draws[FRAME_DRAW_open], 0, rgba);
     close_drawn(&drawn);
     return fine;
 }

@@ -1,0 +1,24 @@
+/* What a frame keeps of what is transparent: data alone, of the passes in runtime/glass. */
+#ifndef MATC_FRAME_FRAME_GLASS_H
+#define MATC_FRAME_FRAME_GLASS_H
+#include "runtime/draw/screen_pass.h"
+
+/* Of pass_lists.c. */
+typedef struct {
+    GLuint buffer;
+    GLuint fragments; /* that it has room for: as many as there are */
+    size_t bytes;
+    int depth_unit; /* where the programs of planes find the depth of what is opaque */
+    bool full;      /* they would take more than there may be */
+} FrameLists;
+
+/* What is transparent: where each pixel's fragments lie in lists, or are peeled in layers. */
+typedef struct {
+    ScreenPass blend, peel; /* of lists; of a layer */
+    FrameLists lists;
+    Framebuffer layers[2]; /* that are peeled, in turns */
+    int layer_count;
+    bool uncounted;    /* fragments and layers, since the scene changed */
+    int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
+} FrameGlass;
+#endif

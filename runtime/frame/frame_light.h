@@ -1,0 +1,45 @@
+/* What a frame keeps of light: data alone, of the passes in runtime/light. */
+#ifndef MATC_FRAME_FRAME_LIGHT_H
+#define MATC_FRAME_FRAME_LIGHT_H
+#include "runtime/cache/view_space.h"
+#include "runtime/draw/screen_pass.h"
+#include "runtime/scene/scene.h"
+
+/* Numbers of lights, view_space_lights: light_table.c. */
+typedef struct {
+    float (*texels)[4];
+    int count;      /* of texels, counted up to a power of two */
+    GLuint texture; /* with them; 0: a block of each program's own has them */
+} LightTable;
+
+enum { SKY_NUMBERS = 31 }; /* three of bands 1, 28 of the even bands to 6 */
+
+typedef struct {
+    GLuint map; /* a cube, in the world's axes, with mipmaps; 0: no sky shines */
+    float irradiance[SKY_NUMBERS][4];
+    bool uneven;    /* it is not the same from everywhere, */
+    float first[3]; /* as it is in one place */
+} SkyLight;
+
+/* Of pass_gather.c, where lights are many. */
+typedef struct {
+    ScreenPass groups, near, gather; /* one after the other */
+    GLuint numbers, words;           /* storage buffers of far_blocks.glsl */
+    GLuint texels, bits;             /* the same as textures, which the pass light reads */
+} FrameFar;
+
+/* What decides by which programs, maps and targets a light is drawn. */
+typedef struct {
+    SceneKind kind;
+    Word shadows;
+    bool both_sides;
+} RenderLight;
+
+typedef struct {
+    ScreenPass pass;
+    FrameFar far;
+    LightTable table;
+    int counts[VIEW_SPACE_SECTIONS]; /* of lights */
+    SkyLight sky;
+} FrameLight;
+#endif

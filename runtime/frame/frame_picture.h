@@ -1,0 +1,32 @@
+/* What a frame keeps of edges and tools: data alone, of the passes in runtime/picture. */
+#ifndef MATC_FRAME_FRAME_PICTURE_H
+#define MATC_FRAME_FRAME_PICTURE_H
+#include "runtime/draw/measure.h"
+#include "runtime/draw/screen_pass.h"
+#include "runtime/gl/framebuffer.h"
+
+/* Of the pass edge. */
+typedef struct {
+    Material material;
+    GLuint lines; /* texels of edge_list.h */
+    int count;    /* of lines */
+} FrameEdge;
+
+/* Of pass_tools.c. */
+typedef struct {
+    Material material;
+    GLuint array, buffer;      /* of vertices of tool_lines.h */
+    int count;                 /* of vertices */
+    Framebuffer lines, colors; /* light and the tools' target with depth; that target alone */
+    ScreenPass veil;           /* lays what is transparent over the tools: what it lets through */
+} FrameTools;
+
+typedef struct {
+    ScreenPass tone;
+    Measure measured, adapted;                /* what tone mapping asks of the picture, and of what it makes of that */
+    GLuint whole[2];                          /* textures of the same, of all tiles; 0: there is one tile */
+    float whole_texels[2][MEASURE_TEXELS][4]; /* what is in them */
+    FrameEdge edge;
+    FrameTools tools;
+} FramePicture;
+#endif
