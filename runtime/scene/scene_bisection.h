@@ -44,6 +44,10 @@ bool scene_bisection_split(SceneBisection *b, uint32_t triangle);
 /* As a shape whose places were moved to `to`; neighbours stand near each other, for caches of vertices. scene_bisection_shape.c. False: memory ran out; *made
  * is empty. */
 bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape *made);
+/* Twice the area of a triangle within its base, in parts squared; its sign tells how it turns. */
+double scene_bisection_turn(const int a[3], const int b[3], const int c[3]);
+/* Of the triangle, as the shape has it. */
+double scene_bisection_area(const SceneBisection *b, uint32_t triangle);
 /* Safe on an empty one. */
 void scene_bisection_end(SceneBisection *b);
 #endif

@@ -1,6 +1,7 @@
 /* Triangles go along a curve that fills their base triangle: digits of the weights of their middle, by turns (Morton, 1966), so that those that follow each other
  * share vertices, which come in the order of their first use. */
 #include "runtime/scene/scene_bisection.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -78,4 +79,31 @@ bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape
     if (!fine)
         shape_free(made);
     return fine;
+}
+
+double scene_bisection_turn(const int a[3], const int b[3], const int c[3])
+{
+    return (double)(b[0] - a[0]) * (c[1] - a[1]) - (double)(b[1] - a[1]) * (c[0] - a[0]);
+}
+
+static double base_area(const SceneBisection *b, int base)
+{
+    const uint32_t *index = &b->shape->indices[3 * (size_t)base];
+    double e[2][3], sum = 0;
+    for (int i = 0; i < 2; i++)
+        for (int lane = 0; lane < 3; lane++)
+            e[i][lane] = (double)b->shape->vertices[index[i + 1]].position[lane] -
+                         b->shape->vertices[index[0]].position[lane];
+    for (int i = 0; i < 3; i++) {
+        const double x = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
+        sum += x * x;
+    }
+    return sqrt(sum) / 2;
+}
+
+double scene_bisection_area(const SceneBisection *b, uint32_t triangle)
+{
+    const SceneBisectionTriangle *t = &b->triangles[triangle];
+    const double parts = SCENE_BISECTION_PARTS;
+    return base_area(b, t->base) * fabs(scene_bisection_turn(t->weights[0], t->weights[1], t->weights[2])) / (parts * parts);
 }

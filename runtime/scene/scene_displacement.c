@@ -105,6 +105,16 @@ static double pixels_at(void *user, const double at[3])
     return sqrt(size) * scene_seen_pixels(mover->how->seen, world);
 }
 
+/* In the world. */
+static double length_of(void *user, const double by[3])
+{
+    const double *m = ((const Mover *)user)->how->world_from_local.m;
+    double world[3];
+    for (int i = 0; i < 3; i++)
+        world[i] = m[i] * by[0] + m[4 + i] * by[1] + m[8 + i] * by[2];
+    return sqrt(scene_vector_dot(world, world));
+}
+
 /* Where all places go; `at` tells the place of a vertex. From malloc; NULL: it cannot be. */
 static double (*moved_places(Mover *mover, const Shape *shape, const int *first, int *at))[3]
 {
@@ -175,7 +185,12 @@ static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mes
         return scene_volume(from, &(SceneVolume){find_solid, &mover, how->level, how->triangles}, made, mesh->steps);
     if (how->method != WORD_Displacing_bisection)
         return divide_alike(&mover, from, made);
-    const SceneRefining refining = {move_points, &mover, how->triangles, how->seen ? pixels_at : NULL, how->pixels};
+    const SceneRefining refining = {.move = move_points,
+                                    .user = &mover,
+                                    .triangles = how->triangles,
+                                    .scale = how->seen ? pixels_at : NULL,
+                                    .length = length_of,
+                                    .least = how->pixels};
     return scene_refine(from, &refining, made);
 }
 

@@ -4,17 +4,20 @@
  *
  *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the halves that the ridge does not cross have 0, and stay as they are
  *
- * What no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and these have up to four times as many samples: a part of the
+ * At last places are moved off the surface to where triangles miss less: scene_refine_fit.h. What no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and these have up to four times as many samples: a part of the
  * surface that is as large as two triangles of an even division has one within. */
 #include "runtime/scene/scene_refine.h"
 #include "runtime/scene/scene_bisection.h"
 #include "runtime/scene/scene_divide.h"
+#include "runtime/scene/scene_ranks.h"
+#include "runtime/scene/scene_refine_fit.h"
 #include "runtime/scene/scene_room.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
+    FITS = 2,           /* times that places are fitted */
     SAMPLES = 4,        /* of a triangle, at least, */
     FIRST_SAMPLES = 16, /* and, of those that are made by area, at most */
     EVEN_SHARE = 32,    /* one of so many triangles is made by area */
@@ -32,11 +35,6 @@ typedef struct {
 static const uint32_t NONE = UINT32_MAX;
 
 typedef struct {
-    double error;
-    uint32_t triangle, stamp;
-} Rank;
-
-typedef struct {
     SceneBisection b;
     const SceneRefining *how;
     Sample *samples;
@@ -49,82 +47,24 @@ typedef struct {
     size_t to_count, to_room;
     uint32_t *touched; /* triangles that are others since the last round */
     size_t touched_count, touched_room;
-    Rank *ranks; /* a heap, the largest first */
-    size_t rank_count, rank_room;
+    SceneRanks ranks;
     double least; /* mean square: below, floats have no better */
     bool fine;
 } Refiner;
 
-/* -- ranks */
-
-static bool put_rank(Refiner *r, Rank rank)
-{
-    if (!scene_room(&r->ranks, r->rank_count + 1, &r->rank_room, sizeof *r->ranks))
-        return false;
-    size_t at = r->rank_count++;
-    for (; at && r->ranks[(at - 1) / 2].error < rank.error; at = (at - 1) / 2)
-        r->ranks[at] = r->ranks[(at - 1) / 2];
-    r->ranks[at] = rank;
-    return true;
-}
-
-/* There is one. */
-static Rank take_rank(Refiner *r)
-{
-    const Rank top = r->ranks[0], last = r->ranks[--r->rank_count];
-    size_t at = 0;
-    for (size_t next = 1; next < r->rank_count; next = 2 * at + 1) {
-        if (next + 1 < r->rank_count && r->ranks[next + 1].error > r->ranks[next].error)
-            next++;
-        if (r->ranks[next].error <= last.error)
-            break;
-        r->ranks[at] = r->ranks[next];
-        at = next;
-    }
-    r->ranks[at] = last;
-    return top;
-}
-
 /* -- samples */
-
-/* Twice the area of a triangle within its base, in parts squared; its sign tells how it turns. */
-static double turn(const int a[3], const int b[3], const int c[3])
-{
-    return (double)(b[0] - a[0]) * (c[1] - a[1]) - (double)(b[1] - a[1]) * (c[0] - a[0]);
-}
 
 /* Where a triangle has the point that is moved. */
 static void mixed(const Refiner *r, const SceneBisectionTriangle *t, const int weights[3], double result[3])
 {
-    const double whole = turn(t->weights[0], t->weights[1], t->weights[2]);
-    const double a = turn(weights, t->weights[1], t->weights[2]) / whole,
-                 b = turn(weights, t->weights[2], t->weights[0]) / whole;
+    const double whole = scene_bisection_turn(t->weights[0], t->weights[1], t->weights[2]);
+    const double a = scene_bisection_turn(weights, t->weights[1], t->weights[2]) / whole,
+                 b = scene_bisection_turn(weights, t->weights[2], t->weights[0]) / whole;
     const double *to[3];
     for (int i = 0; i < 3; i++)
         to[i] = r->to[r->b.place_of[t->vertex[i]]];
     for (int lane = 0; lane < 3; lane++)
         result[lane] = a * to[0][lane] + b * to[1][lane] + (1 - a - b) * to[2][lane];
-}
-
-static double base_area(const Refiner *r, int base)
-{
-    const uint32_t *index = &r->b.shape->indices[3 * (size_t)base];
-    double e[2][3], sum = 0;
-    for (int i = 0; i < 2; i++)
-        for (int lane = 0; lane < 3; lane++)
-            e[i][lane] = (double)r->b.shape->vertices[index[i + 1]].position[lane] -
-                         r->b.shape->vertices[index[0]].position[lane];
-    for (int i = 0; i < 3; i++) {
-        const double x = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
-        sum += x * x;
-    }
-    return sqrt(sum) / 2;
-}
-
-static double area_of(const Refiner *r, const SceneBisectionTriangle *t)
-{
-    const double parts = SCENE_BISECTION_PARTS;
-    return base_area(r, t->base) * fabs(turn(t->weights[0], t->weights[1], t->weights[2])) / (parts * parts);
 }
 
 static double square_scale(const Refiner *r, const double at[3])
@@ -149,7 +89,7 @@ static double error_of(const Refiner *r, uint32_t triangle)
         scales += scale;
     }
     const bool small = sum <= count * r->least || scaled <= count * r->how->least * r->how->least;
-    return small ? 0 : scaled / count * area_of(r, t) * scales / count;
+    return small ? 0 : scaled / count * scene_bisection_area(&r->b, triangle) * scales / count;
 }
 
 /* The area, in squares of the scale, as its corners were. */
@@ -161,7 +101,26 @@ static double scaled_area(const Refiner *r, uint32_t triangle)
         const float *p = r->b.vertices[t->vertex[i]].position;
         scale += square_scale(r, (const double[3]){(double)p[0], (double)p[1], (double)p[2]});
     }
-    return area_of(r, t) * scale;
+    return scene_bisection_area(&r->b, triangle) * scale;
+}
+
+static SceneMiss miss_of(const Refiner *r, uint32_t triangle)
+{
+    SceneMiss miss = {.area = scene_bisection_area(&r->b, triangle)};
+    int count = 0;
+    for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next, count++) {
+        double at[3];
+        mixed(r, &r->b.triangles[triangle], r->samples[i].weights, at);
+        for (int lane = 0; lane < 3; lane++) {
+            const double off = r->samples[i].to[lane] - at[lane];
+            miss.mean[lane] += off;
+            miss.square += off * off;
+        }
+    }
+    for (int lane = 0; count && lane < 3; lane++)
+        miss.mean[lane] /= count;
+    miss.square /= count ? count : 1;
+    return miss;
 }
 
 /* Half a step of a float, of the farthest point. */
@@ -240,13 +199,13 @@ static void share_samples(void *user, uint32_t triangle, uint32_t made)
     if (!r->fine)
         return;
     const SceneBisectionTriangle *t = &r->b.triangles[triangle];
-    const double side = turn(t->weights[0], t->weights[2], t->weights[1]);
+    const double side = scene_bisection_turn(t->weights[0], t->weights[2], t->weights[1]);
     uint32_t next = r->first[triangle];
     r->first[triangle] = r->first[made] = NONE;
     while (next != NONE) {
         Sample *sample = &r->samples[next];
         const uint32_t at = next,
-                       to = turn(t->weights[0], t->weights[2], sample->weights) * side >= 0 ? triangle : made;
+                       to = scene_bisection_turn(t->weights[0], t->weights[2], sample->weights) * side >= 0 ? triangle : made;
         next = sample->next;
         sample->next = r->first[to];
         r->first[to] = at;
@@ -323,7 +282,7 @@ static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3]
         const uint32_t triangle = r->touched[i];
         const double error = by_area ? scaled_area(r, triangle) : error_of(r, triangle);
         if (r->b.triangles[triangle].depth < SCENE_BISECTION_DEPTH - 2 && error > 0)
-            fine = put_rank(r, (Rank){error, triangle, r->stamp[triangle]});
+            fine = scene_ranks_put(&r->ranks, (SceneRank){error, triangle, r->stamp[triangle]});
     }
     r->touched_count = 0;
     return fine;
@@ -336,8 +295,8 @@ static bool divide_most(Refiner *r, size_t triangles)
                  to = round < triangles ? round : triangles;
     bool fine = true;
     r->round++;
-    while (fine && r->b.count < to && r->rank_count) {
-        const Rank rank = take_rank(r);
+    while (fine && r->b.count < to && r->ranks.count) {
+        const SceneRank rank = scene_ranks_take(&r->ranks);
         if (rank.stamp == r->stamp[rank.triangle])
             fine = scene_bisection_split(&r->b, rank.triangle) && r->fine;
     }
@@ -350,16 +309,49 @@ static bool refine_to(Refiner *r, size_t triangles, bool by_area)
     ShapeVertex *at = malloc(BATCH * sizeof *at);
     double(*to)[3] = malloc(BATCH * sizeof *to);
     bool fine = at && to && add_states(r);
-    r->rank_count = 0;
+    r->ranks.count = 0;
     r->first_round = ++r->round;
     for (uint32_t i = 0; fine && r->b.count < triangles && i < r->b.count; i++)
         fine = touch(r, i);
     fine = fine && end_round(r, by_area, at, to);
-    while (fine && r->b.count < triangles && r->rank_count)
+    while (fine && r->b.count < triangles && r->ranks.count)
         fine = divide_most(r, triangles) && end_round(r, by_area, at, to);
     fine = fine && move_places(r, at);
     free(at);
     free(to);
+    return fine;
+}
+
+/* By how much a place is moved. */
+static double length_of(const Refiner *r, size_t place)
+{
+    const float *from = r->b.vertices[r->b.places[place].first].position;
+    double by[3];
+    for (int lane = 0; lane < 3; lane++)
+        by[lane] = r->to[place][lane] - (double)from[lane];
+    return r->how->length ? r->how->length(r->how->user, by) : sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+}
+
+/* Places are moved to where triangles miss less, all at once; those that would move farther than any did stay. */
+static bool fit(Refiner *r)
+{
+    SceneMiss *misses = malloc((r->b.count + 1) * sizeof *misses);
+    double(*was)[3] = malloc((r->b.place_count + 1) * sizeof *was);
+    bool fine = misses && was;
+    double most = 0;
+    for (size_t i = 0; i < r->b.place_count; i++)
+        most = fmax(most, length_of(r, i));
+    for (int i = 0; fine && i < FITS; i++) {
+        memcpy(was, r->to, r->b.place_count * sizeof *was);
+        for (uint32_t t = 0; t < r->b.count; t++)
+            misses[t] = miss_of(r, t);
+        fine = scene_refine_fit(&r->b, misses, r->least, r->to);
+        for (size_t k = 0; k < r->b.place_count; k++)
+            if (length_of(r, k) > most)
+                memcpy(r->to[k], was[k], sizeof *was);
+    }
+    free(was);
+    free(misses);
     return fine;
 }
 
@@ -372,14 +364,15 @@ bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made)
     r.b.divided = share_samples;
     r.b.user = &r;
     fine = fine && (r.b.count >= triangles / EVEN_SHARE || refine_to(&r, triangles / EVEN_SHARE, true));
-    fine = fine && refine_to(&r, triangles, false) && scene_bisection_shape(&r.b, (const double(*)[3])r.to, made);
+    fine = fine && refine_to(&r, triangles, false) && fit(&r) &&
+           scene_bisection_shape(&r.b, (const double(*)[3])r.to, made);
     scene_bisection_end(&r.b);
     free(r.samples);
     free(r.first);
     free(r.stamp);
     free(r.to);
     free(r.touched);
-    free(r.ranks);
+    scene_ranks_end(&r.ranks);
     if (!fine)
         *made = (Shape){0};
     return fine;
