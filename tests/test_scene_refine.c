@@ -142,6 +142,8 @@ typedef double Height(double x, double y);
 static double hill(double x, double y) { return .3 * exp(-80 * ((x - .2) * (x - .2) + (y + .3) * (y + .3))); }
 static double flat(double x, double y) { return .25 * x - .5 * y; }
 static double waves(double x, double y) { return .05 * sin(9 * x * x + 14 * y) * exp(-3 * (x * x + y * y)); }
+static double dome(double x, double y) { return .3 - .1 * (x * x + y * y); }
+static double cliff(double x, double y) { return 1e-3 * x * x + (x + .5 * y < .1 ? 0 : .2); }
 static double wall(double x, double y) { return .2 / (1 + exp(-120 * (x + .5 * y - .1))); }
 
 static bool lift(void *user, const ShapeVertex *at, int count, double (*to)[3])
@@ -226,6 +228,41 @@ static void error_is_less(void **state)
     shape_free(&square);
 }
 
+/* Where all triangles miss on one side their corners leave the surface, which takes more than a third off the error; none goes farther than the farthest that
+ * was asked for, and what is nearly flat beside a cliff stays. */
+static void corners_leave_what_is_bent(void **state)
+{
+    (void)state;
+    Shape square, made;
+    Height *height = dome;
+    assert_true(shape_make_detailed(SHAPE_plane, (int[]){1, 1}, &square));
+    assert_true(scene_refine(&square, &(SceneRefining){.move = lift, .user = &height, .triangles = 2000}, &made));
+    const double fitted = error_of(&made, height);
+    for (int i = 0; i < made.vertex_count; i++) {
+        float *p = made.vertices[i].position;
+        assert_true(p[2] <= .3F);
+        p[2] = (float)height((double)p[0], (double)p[1]);
+    }
+    const double upon = error_of(&made, height);
+    print_message("a dome: %.3g, with corners on it %.3g\n", fitted, upon);
+    assert_true(fitted < .6 * upon);
+    shape_free(&made);
+    height = cliff;
+    assert_true(scene_refine(&square, &(SceneRefining){.move = lift, .user = &height, .triangles = 2000}, &made));
+    int below = 0, above = 0;
+    for (int i = 0; i < made.vertex_count; i++) {
+        const float *p = made.vertices[i].position;
+        const double off = ((double)p[0] + .5 * (double)p[1] - .1) / sqrt(1.25);
+        if (fabs(off) < .02)
+            continue;
+        assert_true(fabs((double)p[2] - height((double)p[0], (double)p[1])) < 1e-4);
+        off < 0 ? below++ : above++;
+    }
+    assert_true(below > 20 && above > 20);
+    shape_free(&made);
+    shape_free(&square);
+}
+
 /* A plane, even one that is tilted, is not divided, but for the part that goes by area. */
 static void what_is_flat_stays(void **state)
 {
@@ -267,6 +304,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_ends_within_an_edge),
         cmocka_unit_test(error_is_less),
+        cmocka_unit_test(corners_leave_what_is_bent),
         cmocka_unit_test(what_is_flat_stays),
         cmocka_unit_test(what_cannot_be_moved_is_empty),
     };
