@@ -294,6 +294,7 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #define LETTER_ColorSpace ""
 #define LETTER_Channel    ""
 #define LETTER_Address    ""
+#define LETTER_Texels     ""
 #define LETTER_CellsValue ""
 #define LETTER_Distance   ""
 /* A volume map's function takes the position, then the PARAM lines. */

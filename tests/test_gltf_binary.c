@@ -102,7 +102,8 @@ static void pictures_are_within(void **state)
     assert_string_equal(shown_by("a.gltf", text, strlen(text), shown), file);
     write_file("b.gltf", text, strlen(text)); /* and by a document of one's own */
     static const char own[] =
-        "material: glTF\nbaseColorTexture: { map: ImageMap, image: \"b.gltf#/images/0\", colorspace: srgb }\n";
+        "material: glTF\nbaseColorTexture: { map: ImageMap, image: \"b.gltf#/images/0\", colorspace: srgb, texels: "
+        "centre }\n";
     assert_string_equal(shown_by("a.yaml", own, sizeof own - 1, shown), file);
     unlink(path_of("b.gltf", text));
 }

@@ -297,6 +297,34 @@ static void test_image_address(void **state)
     }
 }
 
+/* A texel in the middle of its square, by hand: along u the bottom row's red is 0 at 1/4 and 1 at 3/4, along v 0 and .4. */
+static void test_image_centres(void **state)
+{
+    (void)state;
+    static const struct {
+        Word address;
+        double u, v, value, nearest;
+    } rows[] = {
+        {WORD_Address_repeat, .25, .75, .4, .4}, {WORD_Address_repeat, .375, .25, .25, 0},
+        {WORD_Address_repeat, 0, .25, .5, 0},    {WORD_Address_repeat, .25, .5, .2, .4},
+        {WORD_Address_mirror, 0, .25, 0, 0},     {WORD_Address_mirror, 1.125, .25, 1, 1},
+        {WORD_Address_clamp, .125, .25, 0, 0},   {WORD_Address_border, .875, .25, .75, 1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        Builder b = {0};
+        Image image;
+        Node *smooth = build_image(&b, &image, true), *nearest = build_image(&b, &image, false);
+        build_set(smooth, P_ImageMap_address, rows[i].address);
+        build_set(nearest, P_ImageMap_address, rows[i].address);
+        build_set(smooth, P_ImageMap_texels, WORD_Texels_centre);
+        build_set(nearest, P_ImageMap_texels, WORD_Texels_centre);
+        const Surface s = at_uv(rows[i].u, rows[i].v);
+        expect(&b, smooth, R, &s, rows[i].value);
+        expect(&b, nearest, R, &s, rows[i].nearest);
+        build_free(&b);
+    }
+}
+
 static void test_carpenter(void **state)
 {
     (void)state;
@@ -365,7 +393,8 @@ int main(void)
         cmocka_unit_test(test_smooth),        cmocka_unit_test(test_smooth_uv),
         cmocka_unit_test(test_laplace),       cmocka_unit_test(test_image_nearest),
         cmocka_unit_test(test_image_address), cmocka_unit_test(test_image_bilinear),
-        cmocka_unit_test(test_carpenter),     cmocka_unit_test(test_rough_slopes),
+        cmocka_unit_test(test_image_centres), cmocka_unit_test(test_carpenter),
+        cmocka_unit_test(test_rough_slopes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -102,6 +102,8 @@ static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
         put(g, made, "address", word(g, wrap == CLAMP ? "clamp" : "mirror", s->span));
     if (whole_of(filter, LINEAR_FILTER) == NEAREST)
         put(g, made, "bilinearFiltering", word(g, "false", filter->span));
+    else
+        put(g, made, "texels", word(g, "centre", texture->span));
 }
 
 /* KHR_texture_transform: (u, v) times `scale` plus `offset`, with v downwards; ours goes up: v' = 1 - (sy (1 - v) + oy). */

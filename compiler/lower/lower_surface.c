@@ -198,6 +198,7 @@ typedef struct {
     double step;
     int lane;     /* that alone; ALL_LANES */
     Word address; /* what is beyond the edges and no sampler's part */
+    bool centred; /* a texel's colour stands in its middle */
 } Sampled;
 
 /* Of what a picture's function gave, its lanes. */
@@ -278,6 +279,8 @@ static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
 {
     Ref sampler = build_leaf(l->ir, OP_texture, TYPE_sampler, (int)texture_number(l->ir, &sampled->texture));
     const Picture picture = {sampled->function, sampler, size_of(l, &sampled->texture, sampler), sampled->address};
+    if (sampled->centred)
+        uv = build_sub(l->ir, uv, build_div(l->ir, build_all(l->ir, TYPE_vec2, 0.5), picture.size));
     if (is_derivative(group))
         return lower_as_group(l, sampled_slope(l, sampled, &picture, uv, group == GROUP_DV), group);
     Ref value = lanes_of(l, sampled, area_picture(l, &picture, uv));
@@ -350,6 +353,7 @@ static Sampled sampled_image(Lower *l, const Node *node, const Image *picture)
         .function = function,
         .lane = channel_lane(node),
         .address = is_sampled(function) && texture.wrap == address ? WORD_Address_repeat : address,
+        .centred = bilinear[0] != 0 && is_word(node, P_ImageMap_texels, WORD_Texels_centre),
     };
 }
 
@@ -386,6 +390,6 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
                                .node = node,
                                .width = (int)width[0],
                                .height = (int)height[0]};
-    return answer_of(
-        sample_group(l, &(Sampled){texture, FN_carpenterRelief, row->step, ALL_LANES, WORD_Address_repeat}, uv, group));
+    return answer_of(sample_group(
+        l, &(Sampled){texture, FN_carpenterRelief, row->step, ALL_LANES, WORD_Address_repeat, false}, uv, group));
 }

@@ -126,7 +126,8 @@ typedef struct {
     int function; /* library function that reads it */
     ReferenceTexture texture;
     double step_u, step_v;
-    bool gray; /* it is one lane, `channel`, with alpha 1 */
+    bool centred; /* a texel's colour stands in its middle */
+    bool gray;    /* it is one lane, `channel`, with alpha 1 */
     int channel;
 } Picture;
 
@@ -135,7 +136,9 @@ static double picture_at(const Picture *picture, double u, double v, int compone
 {
     ReferenceContext context = picture->environment->oracle->context;
     context.textures = &picture->texture;
-    double args[5] = {0, u, v, picture->texture.width, picture->texture.height};
+    const double half = picture->centred ? 0.5 : 0;
+    const int width = picture->texture.width, height = picture->texture.height;
+    double args[5] = {0, u - half / width, v - half / height, width, height};
     double texel[4];
     reference_of(picture->function)(&context, args, texel);
     if (picture->gray)
@@ -199,6 +202,13 @@ static int word_of(const Node *node, int param)
     return value->kind == VALUE_number ? (int)value->number[0] : NO_WORD;
 }
 
+/* Where the point takes its own texel, it makes no difference where that texel's colour stands. */
+static bool is_centred(const Node *node)
+{
+    return oracle_number(node, P_ImageMap_bilinearFiltering) != 0 &&
+           word_of(node, P_ImageMap_texels) == WORD_Texels_centre;
+}
+
 double oracle_ImageMap(Environment *environment, const Node *node, int channel)
 {
     const Value *value = node_param(node, P_ImageMap_image);
@@ -218,6 +228,7 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
                     .wrap = (ReferenceWrap)(word_of(node, P_ImageMap_address) - WORD_Address_repeat)},
         .gray = word_of(node, P_ImageMap_channel) != NO_WORD,
         .channel = word_of(node, P_ImageMap_channel) - WORD_Channel_r,
+        .centred = is_centred(node),
         .step_u = 1. / image->width,
         .step_v = 1. / image->height,
     };
