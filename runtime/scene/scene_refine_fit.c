@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double STEP = 0.7; /* of a step of Jacobi's: a second one would overshoot */
-static const double FLAT =
-    0.02 * 0.02; /* of the square that a place's worst triangle misses: one that misses less is flat */
+static const double STEP = 0.7; /* of a step of Jacobi's: two whole ones overshoot */
+/* Of the square that a place's worst triangle misses: one that misses less is flat. */
+static const double FLAT = 0.02 * 0.02;
 
 typedef struct {
     double sum[3], area, low, high; /* of its triangles: what they miss; the squares of the best and the worst */
