@@ -1,5 +1,6 @@
 """A world by Cycles: Lambert's surfaces, each light in a picture of its own, since Cycles takes one of them at random for a sample. Light
 without extent leaves to chance only where in a pixel a sample lies, and that is within 0.005 pixels of its middle."""
+import ast
 import math
 import os
 import tempfile
@@ -86,8 +87,10 @@ class Shader:
             closure = both
         self.sum = closure.outputs[0]
 
-    def done(self):
+    def done(self, material=()):
         self.tree.links.new(self.sum, self.node("ShaderNodeOutputMaterial").inputs["Surface"])
+        if "displacement" in material:
+            displace(self, material)
         return self.made
 
 
@@ -128,7 +131,7 @@ def lambert(scenery, material):
     shader.add(shader.node("ShaderNodeBsdfDiffuse", Color=diffuse(shader, scenery, material)))
     if "diffuseTransparency" in material:
         shader.add(shader.node("ShaderNodeBsdfTranslucent", Color=rgba(world.slot(material, "diffuseTransparency"))))
-    return shader.done()
+    return shader.done(material)
 
 
 def shining(scenery, material):
@@ -136,13 +139,13 @@ def shining(scenery, material):
     ambient = sum((light["light"] for light in scenery.lights if light["kind"] == "Ambient"), numpy.zeros(3))
     shader = Shader("shining")
     shader.add(shader.node("ShaderNodeEmission", Color=rgba(world.slot(material, "emissive") + world.slot(material, "ambient") * ambient)))
-    return shader.done()
+    return shader.done(material)
 
 
 def paint(scenery, material):
     shader = Shader("paint")
     shader.add(shader.node("ShaderNodeEmission", Color=diffuse(shader, scenery, material)))
-    return shader.done()
+    return shader.done(material)
 
 
 def facing(scenery, material):
@@ -153,7 +156,57 @@ def facing(scenery, material):
     shader.tree.links.new(shader.node("ShaderNodeNewGeometry").outputs["Normal"], half.inputs[0])
     half.inputs[1].default_value = half.inputs[2].default_value = (.5, .5, .5)
     shader.add(shader.node("ShaderNodeEmission", Color=half.outputs[0]))
-    return shader.done()
+    return shader.done(material)
+
+
+def placed(scenery, material):
+    """Where the surface is, as a colour: from -2 to 2 in 0 to 1."""
+    shader = Shader("placed")
+    fourth = shader.node("ShaderNodeVectorMath")
+    fourth.operation = "MULTIPLY_ADD"
+    shader.tree.links.new(shader.node("ShaderNodeNewGeometry").outputs["Position"], fourth.inputs[0])
+    fourth.inputs[1].default_value, fourth.inputs[2].default_value = (.25,) * 3, (.5,) * 3
+    shader.add(shader.node("ShaderNodeEmission", Color=fourth.outputs[0]))
+    return shader.done(material)
+
+
+MATHS = {ast.Add: "ADD", ast.Sub: "SUBTRACT", ast.Mult: "MULTIPLY", "sin": "SINE"}
+
+
+def formula(shader, term):
+    """The output of a formula's nodes, or its number: sums, products and sines over u, v and x, y, z, where the object's space is the world."""
+    if isinstance(term, ast.Constant):
+        return float(term.value)
+    if isinstance(term, ast.Name):
+        on_face = term.id in "uv"
+        place = shader.node("ShaderNodeTexCoord").outputs["UV"] if on_face else shader.node("ShaderNodeNewGeometry").outputs["Position"]
+        return shader.node("ShaderNodeSeparateXYZ", Vector=place).outputs["uv".index(term.id) if on_face else "xyz".index(term.id)]
+    made = shader.node("ShaderNodeMath")
+    made.operation = MATHS[term.func.id] if isinstance(term, ast.Call) else MATHS[type(term.op)]
+    for at, part in enumerate(term.args if isinstance(term, ast.Call) else (term.left, term.right)):
+        value = formula(shader, part)
+        if hasattr(value, "node"):
+            shader.tree.links.new(value, made.inputs[at])
+        else:
+            made.inputs[at].default_value = value
+    return made.outputs[0]
+
+
+def displace(shader, material):
+    """What moves the surface, beside its shader."""
+    height = formula(shader, ast.parse(material["displacement"].lstrip("= "), mode="eval").body)
+    moved = shader.node("ShaderNodeDisplacement", Height=height, Midlevel=0., Scale=float(material.get("displacementScale", 1)))
+    out = next(node for node in shader.tree.nodes if node.type == "OUTPUT_MATERIAL")
+    shader.tree.links.new(moved.outputs[0], out.inputs["Displacement"])
+    shader.made.cycles.displacement_method = "DISPLACEMENT"
+
+
+def divide(scene, thing):
+    """Cycles' own subdivision, of flat faces, into parts of half a pixel."""
+    scene.cycles.feature_set, scene.cycles.dicing_rate = "EXPERIMENTAL", .5
+    scene.cycles.max_subdivisions = 12
+    thing.modifiers.new("parts", "SUBSURF").subdivision_type = "SIMPLE"
+    thing.cycles.use_adaptive_subdivision = True
 
 
 def add_objects(scene, scenery, shading):
@@ -165,7 +218,10 @@ def add_objects(scene, scenery, shading):
         if uv:
             mesh.uv_layers.new().data.foreach_set("uv", numpy.ravel([corner for face in uv for corner in face]))
         mesh.materials.append(shading(scenery, thing["material"]))
-        scene.collection.objects.link(bpy.data.objects.new("object", mesh))
+        made = bpy.data.objects.new("object", mesh)
+        scene.collection.objects.link(made)
+        if "displacement" in thing["material"]:
+            divide(scene, made)
 
 
 def add_light(scene, light, shadow):
@@ -249,7 +305,7 @@ def numbered(scenery):
     def shading(scenery, material):
         shader = Shader("number")
         shader.add(shader.node("ShaderNodeEmission", Color=rgba((next(order),) * 3)))
-        return shader.done()
+        return shader.done(material)
     add_objects(scene, scenery, shading)
     return picture(scene)
 

@@ -12,6 +12,8 @@ import world  # noqa: E402
 
 
 BOUNCED_STEP = 2. ** -13
+DISPLACED_STEP = 2. ** -18
+DISPLACED_JUMP = 8  # 0.15 of a length from pixel to pixel is an edge
 
 
 def render_bounced(path, by, scenery):
@@ -26,11 +28,25 @@ def render_bounced(path, by, scenery):
     picture.write_png(os.path.join(HERE, "..", "..", "docs", "cycles.png"), whole)
 
 
+def render_displaced(path, by, scenery):
+    """NAME_points.exr and NAME_normals.exr; and a picture for docs, with shadows."""
+    numbers, normals, points = by.numbered(scenery), by.shaded(scenery, by.facing), by.shaded(scenery, by.placed)
+    compared = (numbers[..., 0] > 0) & ~numpy.asarray(picture.edges(numbers, 2 * normals, DISPLACED_JUMP * points))
+    for name, lanes in (("points", 4 * points - 2), ("normals", 2 * normals - 1)):
+        file = path[:-len(".yaml")] + "_%s.exr" % name
+        picture.write_exr(file, lanes, compared, DISPLACED_STEP)
+        print("%-60s %6d bytes, %.0f %% of pixels compared" % (os.path.relpath(file, HERE), os.path.getsize(file), 100 * compared.mean()), file=sys.stderr)
+    light = sum(by.shaded(scenery, by.lambert, source, True) for source in scenery.lights)
+    picture.write_png(os.path.join(HERE, "..", "..", "docs", "displaced-cycles.png"), light)
+
+
 def render(path):
     by = __import__("by_" + os.path.basename(os.path.dirname(path)))
     scenery = world.World(path)
     if scenery.bounces:
         return render_bounced(path, by, scenery)
+    if "displacement" in scenery.document:
+        return render_displaced(path, by, scenery)
     for suffix, shadows in (("", False), ("_shadows", True))[:2 if scenery.casts else 1]:
         light, steps, there = by.render(scenery, shadows)
         if shadows and numpy.array_equal(light, free):
