@@ -79,6 +79,8 @@ check "and the one by openness" test -s docs/undirected.png
 [ -z "$update" ] || "$matview" tests/reference/cycles/bounced.yaml -o docs/bounced.png
 check "what a path tracer drew, too, is in docs" test -s docs/bounced.png
 [ -z "$update" ] || "$matview" tests/reference/cycles/displaced.yaml -o docs/displaced-here.png
+[ -z "$update" ] || "$matview" tests/reference/cycles/principled.yaml -o docs/principled-here.png
+check "and balls of gloss" test -s docs/principled-here.png -a -s docs/principled-cycles.png
 check "and what it displaced" test -s docs/displaced-here.png -a -s docs/displaced-cycles.png
 check "beside that tracer's picture" test -s docs/cycles.png
 [ -z "$update" ] || "$matview" docs/indirect.yaml --view=positions -o docs/positions.png

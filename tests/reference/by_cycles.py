@@ -11,7 +11,7 @@ import numpy
 
 import world
 
-SAMPLES, AREA_SAMPLES, HALF_SHADOW_SAMPLES, BOUNCED_SAMPLES = 64, 4096, 1024, 1024
+SAMPLES, AREA_SAMPLES, HALF_SHADOW_SAMPLES, BOUNCED_SAMPLES, PRINCIPLED_SAMPLES = 64, 4096, 1024, 1024, 8192
 
 
 def begin(scenery, samples):
@@ -170,6 +170,25 @@ def placed(scenery, material):
     return shader.done(material)
 
 
+def principled(scenery, material):
+    """Of a ball, by the normals of its closed form: a mesh has its faces'."""
+    shader = Shader("principled")
+    centre = next(thing["matrix"][:3, 3] for thing in scenery.objects if thing["material"] is material)
+    outward = shader.node("ShaderNodeVectorMath")
+    outward.operation = "SUBTRACT"
+    shader.tree.links.new(shader.node("ShaderNodeNewGeometry").outputs["Position"], outward.inputs[0])
+    outward.inputs[1].default_value = centre
+    unit = shader.node("ShaderNodeVectorMath")
+    unit.operation = "NORMALIZE"
+    shader.tree.links.new(outward.outputs[0], unit.inputs[0])
+    made = shader.node("ShaderNodeBsdfPrincipled", Metallic=float(material["metalness"]), Roughness=float(material["roughness"]), Specular=.5)
+    made.inputs["Base Color"].default_value = rgba(world.colour(material["baseColor"]))
+    made.distribution = "MULTI_GGX"  # height-correlated, and light that facets reflect more than once
+    shader.tree.links.new(unit.outputs[0], made.inputs["Normal"])
+    shader.add(made)
+    return shader.done()
+
+
 MATHS = {ast.Add: "ADD", ast.Sub: "SUBTRACT", ast.Mult: "MULTIPLY", "sin": "SINE"}
 
 
@@ -201,6 +220,15 @@ def displace(shader, material):
     shader.made.cycles.displacement_method = "DISPLACEMENT"
 
 
+def fine_ball(radius, around=768, up=384):
+    """Its faces leave it by 1e-5 of the radius."""
+    rows = [(math.sin(math.pi * j / up), -math.cos(math.pi * j / up)) for j in range(up + 1)]
+    points = [(radius * wide * math.cos(2 * math.pi * i / around), radius * wide * math.sin(2 * math.pi * i / around), radius * high)
+              for wide, high in rows for i in range(around)]
+    faces = [(j * around + i, j * around + (i + 1) % around, (j + 1) * around + (i + 1) % around, (j + 1) * around + i) for j in range(up) for i in range(around)]
+    return points, faces, None
+
+
 def divide(scene, thing):
     """Cycles' own subdivision, of flat faces, into parts of half a pixel."""
     scene.cycles.feature_set, scene.cycles.dicing_rate = "EXPERIMENTAL", .5
@@ -211,7 +239,7 @@ def divide(scene, thing):
 
 def add_objects(scene, scenery, shading):
     for number, thing in enumerate(scenery.objects):
-        points, faces, uv = world.flat_mesh(thing, scenery.folder)
+        points, faces, uv = fine_ball(thing["radius"]) if thing["object"] == "Sphere" else world.flat_mesh(thing, scenery.folder)
         mesh = bpy.data.meshes.new("mesh")
         placed = numpy.column_stack((points, numpy.ones(len(points)))) @ thing["matrix"].T  # an object's own matrix would lose its shear
         mesh.from_pydata(placed[:, :3].tolist(), [], faces)
@@ -287,7 +315,7 @@ def picture(scene):
 
 def shaded(scenery, shading, light=None, shadow=False):
     area = light and light["kind"] == "Area"
-    scene = begin(scenery, (HALF_SHADOW_SAMPLES if shadow else AREA_SAMPLES) if area else SAMPLES if light else 1)
+    scene = begin(scenery, PRINCIPLED_SAMPLES if shading is principled else (HALF_SHADOW_SAMPLES if shadow else AREA_SAMPLES) if area else SAMPLES if light else 1)
     add_objects(scene, scenery, shading)
     if area:
         add_area(scene, light, shadow)

@@ -13,6 +13,7 @@ import world  # noqa: E402
 
 BOUNCED_STEP = 2. ** -13
 DISPLACED_STEP = 2. ** -18
+PRINCIPLED_STEP = 2. ** -14
 DISPLACED_JUMP = 8  # 0.15 of a length from pixel to pixel is an edge
 
 
@@ -40,11 +41,22 @@ def render_displaced(path, by, scenery):
     picture.write_png(os.path.join(HERE, "..", "..", "docs", "displaced-cycles.png"), light)
 
 
+def render_principled(path, by, scenery):
+    """Light of physically based balls, without shadows; paths between facets are noise, so that bits of a small share of light are none."""
+    numbers = by.numbered(scenery)
+    light = sum(by.shaded(scenery, by.principled, source) for source in scenery.lights)
+    compared = (numbers[..., 0] > 0) & ~numpy.asarray(picture.edges(numbers))
+    picture.write_exr(path[:-len(".yaml")] + ".exr", light, compared, PRINCIPLED_STEP)
+    picture.write_png(os.path.join(HERE, "..", "..", "docs", "principled-cycles.png"), light)
+
+
 def render(path):
     by = __import__("by_" + os.path.basename(os.path.dirname(path)))
     scenery = world.World(path)
     if scenery.bounces:
         return render_bounced(path, by, scenery)
+    if any(thing["material"]["material"] == "Principled" for thing in scenery.objects):
+        return render_principled(path, by, scenery)
     if "displacement" in scenery.document:
         return render_displaced(path, by, scenery)
     for suffix, shadows in (("", False), ("_shadows", True))[:2 if scenery.casts else 1]:
