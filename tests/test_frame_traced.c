@@ -161,6 +161,7 @@ static void a_wave_is_that_of_its_closed_form(void **state)
 /* A body, what its reference and the others are divided into. */
 typedef struct {
     const char *body, *fine, *traced, *grid;
+    int outlines; /* pixels that only one has, at most: what closes hard edges has many */
 } Body;
 
 static void judge_body(const Scene *scene, const Tracer *tracer, const float *depth, Judged *judged)
@@ -188,8 +189,8 @@ static void bodies_are_those_of_fine_meshes(void **state)
 {
     (void)state;
     static const Body bodies[] = {
-        {ball, "method: mesh, level: 16", "method: traced, level: 4", "method: grid, level: 4"},
-        {box, "method: mesh, level: 64", "method: traced, level: 16", "method: grid, level: 16"}};
+        {ball, "method: mesh, level: 16", "method: traced, level: 4", "method: grid, level: 4", 12},
+        {box, "method: mesh, level: 64", "method: traced, level: 16", "method: grid, level: 16", 40}};
     const char camera[] = "camera: Perspective, position: [1, -3, 2], angle: 40";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
@@ -219,13 +220,11 @@ static void bodies_are_those_of_fine_meshes(void **state)
         free(normal);
         free(of_fine);
         frame_forget(scene, document);
-        assert_true(traced.count > 500 && traced.disagree <= 48);
+        assert_true(traced.count > 500 && traced.disagree <= bodies[i].outlines);
         assert_true(8 * quantile(&traced, .5) < quantile(&grid, .5));
         assert_true(quantile(&normals, .5) < 2e-3);
     }
-    render_close(depth);
-    render_close(normals_of);
-    gl_close(gl);
+    render_close(depth), render_close(normals_of), gl_close(gl);
 }
 
 /* What else a scene may say: vectors, corners that are pushed out, parallel rays, instances that are smaller or mirrored. A grid as fine as its edges allow is the truth. */
@@ -275,7 +274,7 @@ static void all_ways_are_traced(void **state)
                       quantile(&traced, .5), quantile(&grid, .5), traced.count, traced.disagree);
         for (int k = 0; k < 3; k++)
             free(depths[k]);
-        assert_true(traced.count > 400 && traced.disagree <= 48);
+        assert_true(traced.count > 400 && traced.disagree <= 20);
         assert_true(4 * quantile(&traced, .5) < quantile(&grid, .5));
     }
     render_close(render);

@@ -29,6 +29,12 @@ TraceRay traceRay()
     return ray;
 }
 
+// A triangle that the ray comes near.
+struct TraceNear {
+    float miss; // of the triangle's size
+    TraceHit hit;
+};
+
 // When it enters the node, and when it leaves: not before, then it passes by.
 vec2 traceThrough(int number, TracePart part, vec4 from, vec4 inverse)
 {
@@ -38,8 +44,28 @@ vec2 traceThrough(int number, TracePart part, vec4 from, vec4 inverse)
     return vec2(max(max(enter.x, enter.y), max(enter.z, enter.w)), min(min(leave.x, leave.y), min(leave.z, leave.w)));
 }
 
+// A triangle that no ray meets, but passes by: where it is nearest to the middle, and how far from the triangle there, of its size.
+void tracePass(TracePart part, vec3 p, mat2x3 edges, TraceRay ray, inout TraceNear near)
+{
+    vec3 n = cross(edges[0], edges[1]), middle = p + (edges[0] + edges[1]) / 3.0;
+    float area = dot(n, n), t = dot(middle - ray.from, ray.along) / dot(ray.along, ray.along);
+    if (area == 0.0 || t < ray.begin || t > 0.0)
+        return;
+    vec3 to = ray.from + t * ray.along - p;
+    vec2 at = vec2(dot(cross(to, edges[1]), n), dot(cross(edges[0], to), n)) / area;
+    float miss = max(max(-min(at.x, at.y), at.x + at.y - 1.0), 0.0) + abs(dot(to, n)) / area * sqrt(sqrt(area));
+    if (miss > near.miss)
+        return;
+    ivec2 corners[3];
+    traceCorners(part, corners);
+    at = max(at, vec2(0.0));
+    at /= max(at.x + at.y, 1.0);
+    vec2 first = vec2(corners[0]), place = first + at.x * (vec2(corners[1]) - first) + at.y * (vec2(corners[2]) - first);
+    near = TraceNear(miss, TraceHit(t, clamp(place / float(trace_parts), vec2(0.0), vec2(1.0)), part));
+}
+
 // A triangle of the grid; neighbours overlap by a little, so that no ray goes between.
-void traceTriangle(int number, TracePart part, TraceRay ray, inout TraceHit hit)
+void traceTriangle(int number, TracePart part, TraceRay ray, inout TraceHit hit, inout TraceNear near)
 {
     const float OVERLAP = 1e-4;
     ivec2 corners[3];
@@ -49,6 +75,7 @@ void traceTriangle(int number, TracePart part, TraceRay ray, inout TraceHit hit)
     vec3 v = traceVector(traceRow(number, corners[2]), TRACE_POSITION) - p;
     vec3 n = cross(u, v), to = p - ray.from;
     float across = dot(n, ray.along);
+    tracePass(part, p, mat2x3(u, v), ray, near);
     if (across == 0.0)
         return;
     float t = dot(n, to) / across;
@@ -67,8 +94,9 @@ TracePart tracePart(int code)
 }
 
 // The nearest triangle; hit.t is 1 where there is none.
-TraceHit traceGrid(int number, TraceSpace space, TraceRay ray)
+TraceHit traceGrid(int number, TraceSpace space, TraceRay ray, out TraceNear near)
 {
+    near = TraceNear(0.25, TraceHit(1.0, vec2(0.0), TracePart(0, ivec2(0), false)));
     TraceHit hit = TraceHit(1.0, vec2(0.0), TracePart(0, ivec2(0), false));
     vec3 p = space.inner * (ray.from - space.corner), d = space.inner * ray.along;
     vec4 from = vec4(p.xy, p.x - p.y, p.z), along = vec4(d.xy, d.x - d.y, d.z);
@@ -87,7 +115,7 @@ TraceHit traceGrid(int number, TraceSpace space, TraceRay ray)
         for (int k = 0; k < 4; k++) {
             TracePart child = traceChild(part, k);
             if (last) {
-                traceTriangle(number, child, ray, hit);
+                traceTriangle(number, child, ray, hit, near);
                 continue;
             }
             vec2 through = traceThrough(number, child, from, inverse);
@@ -118,8 +146,8 @@ void traceSlopes(int number, TracePart part, out vec3 byA, out vec3 byB)
 }
 
 // From a triangle to the surface, no farther than its neighbours: Broyden's method on what the surface at (a, b) is off the ray at t, begun with the triangle's slopes, which each step corrects by what it finds.
-// Where that leads no nearer, as where the height jumps, the triangle is it.
-void traceSurface(int number, TraceRay ray, inout TraceHit hit)
+// Where that leads no nearer, as where the height jumps, the triangle is it. Gives how far it is off.
+float traceSurface(int number, TraceRay ray, inout TraceHit hit)
 {
     const int STEPS = 8;
     const float NEAR = 1e-7; // of a ray's length
@@ -153,6 +181,15 @@ void traceSurface(int number, TraceRay ray, inout TraceHit hit)
         if (size < enough * enough || move == vec3(0.0))
             break;
     }
+    return sqrt(least);
+}
+
+// Whether the surface is met beside a triangle that is passed by: beyond an outline of the grid, where the surface bulges.
+bool traceBeside(int number, TraceRay ray, TraceHit hit, float off)
+{
+    vec3 byA, byB;
+    traceSlopes(number, hit.part, byA, byB);
+    return off < 1e-3 * (length(byA) + length(byB)) / float(trace_parts) && hit.t >= ray.begin && hit.t <= 0.0;
 }
 
 // What polygon offsets add, which do not count where depth is written.
@@ -172,10 +209,16 @@ void main()
 {
     int number = gl_PrimitiveID / 8; // triangles of a hull
     TraceRay ray = traceRay();
-    TraceHit hit = traceGrid(number, traceSpace(number), ray);
-    if (hit.t > 0.0)
+    TraceNear near;
+    TraceHit hit = traceGrid(number, traceSpace(number), ray, near);
+    bool beside = hit.t > 0.0;
+    if (beside && near.hit.t > 0.0)
         discard;
-    traceSurface(number, ray, hit);
+    if (beside)
+        hit = near.hit;
+    float off = traceSurface(number, ray, hit);
+    if (beside && !traceBeside(number, ray, hit, off))
+        discard;
     vec4 clip = traceMeet(number, hit.at, ray.from + ray.along * hit.t);
     if (trace_offset != vec2(0.0))
         gl_FragDepth += traceOffset(number, hit.part, clip);

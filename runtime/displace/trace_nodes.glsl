@@ -13,6 +13,24 @@ void traceInclude(TraceSpace space, int row, inout vec4 low, inout vec4 high)
     high = max(high, slabs);
 }
 
+// How far the surface may be from the four triangles: half of what the middles of the three edges around them are off these. A parabola is a quarter.
+vec4 traceBulge(int number, TraceSpace space, TracePart part)
+{
+    ivec2 corners[3];
+    vec3 p[3], most = vec3(0.0);
+    float aside = 0.0;
+    traceCorners(part, corners);
+    for (int i = 0; i < 3; i++)
+        p[i] = traceVector(traceRow(number, 2 * corners[i]), TRACE_POSITION);
+    for (int i = 0; i < 3; i++) {
+        int k = (i + 1) % 3;
+        vec3 off = space.inner * (traceVector(traceRow(number, corners[i] + corners[k]), TRACE_POSITION) - 0.5 * (p[i] + p[k]));
+        most = max(most, abs(off));
+        aside = max(aside, abs(off.x - off.y));
+    }
+    return 0.5 * vec4(most.xy, aside, most.z);
+}
+
 void main()
 {
     int each = 1 << 2 * trace_level, at = int(gl_GlobalInvocationID.x);
@@ -32,6 +50,9 @@ void main()
             for (int i = 0; i < 3; i++)
                 traceInclude(space, traceRow(number, corners[i]), low, high);
         }
+        vec4 bulge = traceBulge(number, space, part);
+        low -= bulge;
+        high += bulge;
     } else
         for (int k = 0; k < 4; k++) {
             int node = 2 * traceNode(number, traceChild(part, k));
