@@ -1,5 +1,5 @@
 /* Principled surfaces in the light of a picture: integrals in double that draw directions where it is bright and where facets look (frame/sky_reference.h), against themselves by other sums, and what is drawn
- * against them. The picture is a studio by formulas: two windows, 60 and 12 times as bright as its walls. */
+ * against them; of brushed ones sums over even directions; white under white. The picture is a studio by formulas: two windows, 60 and 12 times as bright as its walls. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -152,46 +152,171 @@ static void compare(const SkyReference *reference, const Case *of, const float *
     assert_true(count > 30 && sum / count < of->mean * greatest && most < of->most * greatest);
 }
 
-/* Bounds are what is seen and a tenth: a lobe of Phong stands in for GGX (surface_principled_light.glsl). */
+static const char studio_sky[] = "{ material: Phong, diffuse: 0, emissive: { map: ImageMap, image: "
+                                 "tests/reference/studio.exr, texels: centre } }";
+
+/* A ball of a Principled with such parameters under a sky: its light, and its normals unless NULL. */
+static void draw_ball(GlContext *gl, const char *material, const char *sky, float **light, float **normals)
+{
+    char text[1024];
+    MatcDocument *document;
+    MatcOptions options = frame_exact_options();
+    options.pixels = true;
+    snprintf(text, sizeof text,
+             VIEW "lights: [{ light: Sky }]\nobjects: [{ object: Sphere, material: { material: Principled, %s } }]\n"
+                  "sky: %s\n",
+             material, sky);
+    Scene *scene = frame_scene(text, &options, &document);
+    *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    *normals = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "normal"});
+    frame_forget(scene, document);
+}
+
+/* Bounds are what is seen and a tenth to a half. The last is a coat of index 1.5 over what reflects nothing. */
 static void balls_are_those_of_the_reference(void **state)
 {
     (void)state;
-    static const Case cases[] = {{{.9, .7, .5}, 1, .1, .001, .045}, {{.9, .7, .5}, 1, .2, .005, .15},
-                                 {{.9, .7, .5}, 1, .4, .017, .24},  {{.9, .7, .5}, 1, .7, .11, .36},
-                                 {{.9, .7, .5}, 1, 1, .16, .6},     {{.5, .3, .1}, 0, .3, .01, .08},
-                                 {{.5, .3, .1}, 0, .8, .01, .032}};
+    static const Case cases[] = {{{.9, .7, .5}, 1, .1, .0006, .015}, {{.9, .7, .5}, 1, .2, .001, .01},
+                                 {{.9, .7, .5}, 1, .4, .0025, .035}, {{.9, .7, .5}, 1, .7, .011, .04},
+                                 {{.9, .7, .5}, 1, 1, .02, .09},     {{.5, .3, .1}, 0, .3, .006, .025},
+                                 {{.5, .3, .1}, 0, .8, .004, .013},  {{0, 0, 0}, 0, .4, .005, .035}};
     static SkyReference studio;
     ReferencePicture picture;
     GlContext *gl = frame_context();
-    MatcOptions options = frame_exact_options();
-    options.pixels = true;
     assert_true(reference_picture_read("studio", &picture));
     sky_reference_open(&studio, picture_light, &picture);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const double *base = cases[i].base;
-        char text[1024];
-        MatcDocument *document;
-        snprintf(text, sizeof text,
-                 VIEW "lights: [{ light: Sky }]\nobjects: [{ object: Sphere, material: { material: Principled, "
-                      "baseColor: [%g, %g, %g], metalness: %g, roughness: %g } }]\n"
-                      "sky: { material: Phong, diffuse: 0, emissive: { map: ImageMap, image: "
-                      "tests/reference/studio.exr, texels: centre } }\n",
-                 base[0], base[1], base[2], cases[i].metalness, cases[i].roughness);
-        Scene *scene = frame_scene(text, &options, &document);
-        float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"}),
-              *normals = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "normal"});
+        char material[256];
+        float *light, *normals;
+        snprintf(material, sizeof material, "baseColor: [%g, %g, %g], metalness: %g, roughness: %g", base[0], base[1],
+                 base[2], cases[i].metalness, cases[i].roughness);
+        if (base[0] == 0)
+            snprintf(material, sizeof material,
+                     "baseColor: 0, specular: 0, roughness: 0.7, coat: 1, coatIor: 1.5, coatRoughness: %g",
+                     cases[i].roughness);
+        draw_ball(gl, material, studio_sky, &light, &normals);
         compare(&studio, &cases[i], light, normals);
         free(light);
         free(normals);
-        frame_forget(scene, document);
     }
     reference_picture_free(&picture);
+    gl_close(gl);
+}
+
+/* pi times what black facets of two widths, of index 1.5, send once, and the light's cosine; the axes are along, across and the normal. */
+static double brushed_lobe(const double widths[2], const double eye[3], const double way[3])
+{
+    double half[3], masked = 1;
+    for (int k = 0; k < 3; k++)
+        half[k] = eye[k] + way[k];
+    const double length = sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
+    const double facing = (half[0] * eye[0] + half[1] * eye[1] + half[2] * eye[2]) / length;
+    const double *both[2] = {eye, way};
+    for (int i = 0; i < 2; i++) {
+        const double a = widths[0] * both[i][0], b = widths[1] * both[i][1];
+        masked += (sqrt(1 + (a * a + b * b) / (both[i][2] * both[i][2])) - 1) / 2;
+    }
+    const double x = half[0] / widths[0], y = half[1] / widths[1],
+                 wide = (x * x + y * y + half[2] * half[2]) / (length * length);
+    return (.04 + .96 * pow(1 - facing, 5)) / (widths[0] * widths[1] * wide * wide * masked * 4 * eye[2]);
+}
+
+/* Of a ball whose facets are wider around its axis, z: a sum over even directions. */
+static double brushed_light(const ReferencePicture *picture, const double widths[2], double ways[2][3])
+{
+    enum { HEIGHTS = 250, TURNS = 500 };
+    const double *n = ways[0], flat = hypot(n[0], n[1]);
+    const double axes[3][3] = {
+        {-n[1] / flat, n[0] / flat, 0}, {-n[2] * n[0] / flat, -n[2] * n[1] / flat, flat}, {n[0], n[1], n[2]}};
+    double eye[3], sum = 0;
+    for (int k = 0; k < 3; k++)
+        eye[k] = axes[k][0] * ways[1][0] + axes[k][1] * ways[1][1] + axes[k][2] * ways[1][2];
+    for (int i = 0; i < HEIGHTS * TURNS; i++) {
+        const double z = (i / TURNS + .5) / HEIGHTS, turn = 2 * PI * (i % TURNS + .5) / TURNS,
+                     way[3] = {sqrt(1 - z * z) * cos(turn), sqrt(1 - z * z) * sin(turn), z};
+        const double lobe = brushed_lobe(widths, eye, way);
+        double world[3], light[3];
+        if (lobe < 1e-6)
+            continue;
+        for (int k = 0; k < 3; k++)
+            world[k] = axes[0][k] * way[0] + axes[1][k] * way[1] + axes[2][k] * way[2];
+        picture_light(picture, world, light);
+        sum += lobe * light[1] * 2 / (HEIGHTS * TURNS);
+    }
+    return sum;
+}
+
+/* Five times as wide along as across. */
+static void brushed_balls_are_too(void **state)
+{
+    (void)state;
+    enum { STEP = 163 };
+    const double wide = .25 * sqrt(2 / 1.04), widths[2] = {wide, .2 * wide};
+    ReferencePicture picture;
+    GlContext *gl = frame_context();
+    float *light, *normals;
+    double most = 0, all = 0, greatest = 0, ways[2][3];
+    int count = 0;
+    assert_true(reference_picture_read("studio", &picture));
+    draw_ball(gl, "baseColor: 0, roughness: 0.5, anisotropy: 0.8", studio_sky, &light, &normals);
+    for (int pixel = STEP / 2; pixel < PIXELS; pixel += STEP) {
+        if (!ways_of(normals, pixel, ways))
+            continue;
+        const double expected = brushed_light(&picture, widths, ways),
+                     off = fabs((double)light[4 * pixel + 1] - expected);
+        most = fmax(most, off);
+        greatest = fmax(greatest, expected);
+        all += off;
+        count++;
+    }
+    print_message("brushed: %.2f %% off in the mean, %.1f %% at most, of the greatest, %.3g\n",
+                  100 * all / count / greatest, 100 * most / greatest, greatest);
+    assert_true(count > 30 && all / count < .01 * greatest && most < .06 * greatest);
+    free(light);
+    free(normals);
+    reference_picture_free(&picture);
+    gl_close(gl);
+}
+
+/* Of all roughnesses, coats, fuzz and brushed metal. */
+static void white_stays_white(void **state)
+{
+    (void)state;
+    static const char *const more[] = {"metalness: 1",
+                                       "ior: 1.5",
+                                       "metalness: .5, anisotropy: .7",
+                                       "coat: 1",
+                                       "metalness: 1, coat: 1, coatRoughness: .4",
+                                       "fuzz: .7, fuzzColor: 1"};
+    static const double roughnesses[] = {0, .2, .5, .8, 1};
+    GlContext *gl = frame_context();
+    double worst = 0;
+    int count = 0;
+    for (int i = 0; i < 6 * 5; i++) {
+        char material[256];
+        double ways[2][3], here = 0;
+        float *light, *normals;
+        snprintf(material, sizeof material, "baseColor: 1, roughness: %g, %s", roughnesses[i % 5], more[i / 5]);
+        draw_ball(gl, material, "{ material: RGBA, r: 1, g: 1, b: 1 }", &light, &normals);
+        for (int pixel = 0; pixel < PIXELS; pixel++)
+            for (int k = 0; k < 3 && ways_of(normals, pixel, ways); k++, count++)
+                here = fmax(here, fabs((double)light[4 * pixel + k] - 1));
+        if (here > .01)
+            print_message("%s: off by %.4f\n", material, here);
+        worst = fmax(worst, here);
+        free(light);
+        free(normals);
+    }
+    print_message("white from all around: within %.1e\n", worst);
+    assert_true(count > 30 * PIXELS && worst <= .01);
     gl_close(gl);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_reference_is_right),
-                                       cmocka_unit_test(balls_are_those_of_the_reference)};
+                                       cmocka_unit_test(balls_are_those_of_the_reference),
+                                       cmocka_unit_test(brushed_balls_are_too), cmocka_unit_test(white_stays_white)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,12 +6,15 @@
 // direction is 1 - E(its cosine), and what leaves it 1 - E(1) = 0.96: over all directions a white base sends 0.96, and together that is 1.
 //
 // Fresnel's formulas are Schlick's, with white at the horizon; of metal with an edge tint, its reflection at 82 degrees (Hoffman 2019; OpenPBR
-// 1.1). What a layout lacks is as slots.def says of absent slots. Skies meet a stand-in for the lobe, Phong's, as wide around the mirrored direction, area lights
-// linearly transformed cosines, both of as much light as GGX sends of light from all around. Before it stand surface_facets.glsl and surface_anisotropic.glsl.
+// 1.1). What a layout lacks is as slots.def says of absent slots. Skies are looked up where facets send their light to the eye, area lights meet
+// linearly transformed cosines; both have as much light as GGX sends of light from all around. Before it stand surface_facets.glsl and surface_anisotropic.glsl.
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // the share of what was reflected twice and more, of metal
     vec3 even, gloss; // what it sends of light from all around: diffusely, by reflection
+#ifdef LIGHT_HAS_SKY
+    vec3 glossAgain; // of gloss: what is reflected more than once, or spread by layers
+#endif
     Gloss facets;
     float metal, alpha, cosine, reflectance, kept;
     TONE again, baseOfEye, meanBase;
@@ -351,6 +354,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * m.base;
     m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
+#ifdef LIGHT_HAS_SKY
+    m.glossAgain = m.kept * eye.x * mix(m.again * m.tint, m.metalAgain, m.metal);
+#endif
 #ifdef LIT_BEHIND
     m.behind = clamp(s.diffuseTransparency, 0.0, 1.0);
     m.evenBehind = m.kept * m.baseOfEye * m.behind;
@@ -365,6 +371,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.evenBehind *= layers.z;
 #endif
     m.gloss *= layers.z;
+#ifdef LIGHT_HAS_SKY
+    m.glossAgain = m.glossAgain * layers.z + m.kept * (m.strayOfEye.x * m.metalBounce + m.strayOfEye.y * m.dielectricBounce);
+#endif
     m.emissive *= layers.z;
     m.lossOfEye *= layers.z;
     m.baseOfEye *= layers.z;
@@ -375,10 +384,16 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     m.gloss *= m.coatTint;
     m.coatGloss *= layers.y;
+#ifdef LIGHT_HAS_SKY
+    m.glossAgain *= m.coatTint;
+#endif
 #endif
 #ifdef LIT_FUZZ
     m.even += m.kept * (1.0 - layers.y) / max(m.fuzz, 1e-6) * m.fuzzColor;
 #endif
+#endif
+#ifdef LIGHT_HAS_SKY
+    m.glossAgain = clamp(m.glossAgain, vec3(0.0), m.gloss);
 #endif
     return m;
 }

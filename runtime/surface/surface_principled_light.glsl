@@ -31,6 +31,9 @@ Lit surfaceMatt(Lit m)
     m.base *= 1.0 - m.metal;
     m.metal = 0.0;
     m.tint = m.gloss = vec3(0.0);
+#ifdef LIGHT_HAS_SKY
+    m.glossAgain = vec3(0.0);
+#endif
 #ifdef LIT_LAYERS
     m.metalBounce = m.dielectricBounce = vec3(0.0);
 #endif
@@ -112,24 +115,66 @@ vec3 surfaceLobe(Lit m, vec3 l)
     return m.kept * sum;
 }
 
-// Of Phong's lobe that is as wide around the mirrored direction.
-float standInExponent(float alpha) { return clamp(0.5 / (alpha * alpha) - 0.5, 0.0, 65504.0); }
-
 #ifdef LIGHT_HAS_SKY
-vec3 skyMirrored(Lit m, vec3 gloss, float alpha)
+// The frame that facets stand in, and how wide they are along its first two axes.
+struct SkyFacets {
+    mat3 frame;
+    vec2 widths;
+};
+
+SkyFacets skyFacetsEven(vec3 normal, float alpha)
 {
-    float exponent = standInExponent(alpha);
-    return gloss * (0.5 * exponent + 1.0) * skyLobe(m.reflected, m.reflected, exponent);
+    vec3 aside = normalize(abs(normal.z) < 0.7 ? cross(normal, vec3(0.0, 0.0, 1.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));
+    return SkyFacets(mat3(aside, cross(normal, aside), normal), vec2(alpha));
 }
 
+// The mean of the sky by what facets send of it that reflect `low` along their normal and `high` where light grazes them; 1 of a white sky. Facets are drawn by how
+// much the eye sees of each (Heitz 2018; by caps of a sphere: Dupuy and Benyoub 2023), in a spiral. Each counts by what of its light others leave, and looks the sky up at the level of the cube
+// whose texels are as large as the solid angle around its direction.
+//   Worked example, width 1 along the normal: facets' directions are even over the sphere's upper cap, and a facet at 60 degrees sends from below the horizon, so counts for nothing.
+vec3 skySent(SkyFacets f, vec3 toEye, vec3 low, vec3 high)
+{
+    vec3 v = toEye * f.frame;
+    v.z = max(v.z, 1e-3);
+    vec3 wide = vec3(f.widths * v.xy, v.z), sum = vec3(0.0), all = vec3(1e-9);
+    float seen = length(wide), texels = float(textureSize(sky_map, 0).x);
+    vec3 w = wide / seen;
+    float share = 2.0 * SKY_PI * f.widths.x * f.widths.y * (v.z + seen) / float(SKY_SAMPLES);
+    for (int i = 0; i < SKY_SAMPLES; i++) {
+        float z = 1.0 - (float(i) + 0.5) / float(SKY_SAMPLES) * (1.0 + w.z), turn = 2.3999632 * float(i), flat_ = sqrt(max(1.0 - z * z, 0.0));
+        vec3 cap = vec3(flat_ * cos(turn), flat_ * sin(turn), z) + w;
+        vec3 h = normalize(vec3(f.widths * cap.xy, max(cap.z, 1e-6)));
+        float facing = clamp(dot(v, h), 0.0, 1.0);
+        vec3 l = 2.0 * facing * h - v;
+        if (l.z <= 0.0) continue;
+        vec2 steep = h.xy / f.widths;
+        float width = h.z * h.z + dot(steep, steep), rest = 1.0 - facing;
+        float left = l.z * (v.z + seen) / (l.z * seen + v.z * length(vec3(f.widths * l.xy, l.z)));
+        vec3 weight = left * mix(low, high, rest * rest * rest * rest * rest);
+        float level = 0.5 * log2(share * width * width * 6.0 * texels * texels / (4.0 * SKY_PI));
+        sum += weight * textureLod(sky_map, skyWorld(f.frame * l), max(level, 0.0)).xyz;
+        all += weight;
+    }
+    return sky_light.xyz * sum / all;
+}
+
+// What facets reflect twice and more, and what layers spread of gloss, is as good as even.
 vec3 surfaceSky(Lit m)
 {
-    vec3 sum = m.even * skyIrradiance(m.normal) + skyMirrored(m, m.gloss, m.alpha);
+    vec3 sum = (m.even + m.glossAgain) * skyIrradiance(m.normal), once = m.gloss - m.glossAgain;
+    if (any(greaterThan(once, vec3(0.0)))) {
+#ifdef LIT_ANISOTROPY
+        SkyFacets facets = SkyFacets(mat3(m.anisotropy.along, m.anisotropy.across, m.normal), m.anisotropy.widths);
+#else
+        SkyFacets facets = skyFacetsEven(m.normal, m.alpha);
+#endif
+        sum += once * skySent(facets, m.toEye, mix(m.tint * m.reflectance, m.base, m.metal), mix(m.tint, vec3(1.0), m.metal));
+    }
 #ifdef LIT_BEHIND
     if (any(greaterThan(m.evenBehind, vec3(0.0)))) sum += m.evenBehind * skyIrradiance(-m.normal);
 #endif
 #ifdef LIT_COAT
-    if (m.coatGloss > 0.0) sum += skyMirrored(m, vec3(m.coatGloss), m.coatAlpha);
+    if (m.coatGloss > 0.0) sum += m.coatGloss * skySent(skyFacetsEven(m.normal, m.coatAlpha), m.toEye, vec3(m.coatReflectance), vec3(1.0));
 #endif
     return sum;
 }
