@@ -150,12 +150,16 @@ static void nodes_are_made_when_needed(void **state)
     static const struct {
         const char *lights, *material;
         bool has, by_time;
-    } cases[] = {{"{ light: Point, position: [1, 1, 3] }", "diffuse: .5", true, false},
-                 {"{ light: Point, position: [1, 1, 3] }", "diffuse: \"= [.2 + .3 * time, .4, .3]\"", true, true},
-                 {"{ light: Ambient }", "diffuse: .5", false, false},
-                 {"{ light: Hemisphere }", "diffuse: .5", false, false},
-                 {"{ light: Ambient }", "emissive: [.2, 0, 0]", true, false},
-                 {"{ light: Ambient }", "emissive: \"= [time, 0, 0]\"", true, true}};
+    } cases[] = {{"{ light: Point, position: [1, 1, 3] }", "material: Phong, diffuse: .5", true, false},
+                 {"{ light: Point, position: [1, 1, 3] }", "material: Phong, diffuse: \"= [.2 + .3 * time, .4, .3]\"",
+                  true, true},
+                 {"{ light: Ambient }", "material: Phong, diffuse: .5", false, false},
+                 {"{ light: Hemisphere }", "material: Phong, diffuse: .5", false, false},
+                 {"{ light: Ambient }", "material: Phong, emissive: [.2, 0, 0]", true, false},
+                 {"{ light: Ambient }", "material: Phong, emissive: \"= [time, 0, 0]\"", true, true},
+                 {"{ light: Ambient }", "material: glTF", false, false},
+                 {"{ light: Ambient }", "material: Principled, emissionColor: [.2, 0, 0]", false, false},
+                 {"{ light: Ambient }", "material: glTF, emissiveFactor: [0, 0, .2]", true, false}};
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context();
@@ -164,7 +168,7 @@ static void nodes_are_made_when_needed(void **state)
         MatcDocument *document;
         snprintf(text, sizeof text,
                  "image: { width: 32, height: 32 }\nindirect: { method: voxels }\nvoxels: { size: 32 }\nlights:\n- %s\n"
-                 "objects:\n- { object: Box, material: { material: Phong, %s } }\n",
+                 "objects:\n- { object: Box, material: { %s } }\n",
                  cases[i].lights, cases[i].material);
         Scene *scene = frame_scene(text, &options, &document);
         Render *render = render_open(gl, &how);

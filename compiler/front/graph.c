@@ -69,9 +69,17 @@ static unsigned lobes_of(const Node *principled)
     return lobes;
 }
 
-static unsigned emits(const Node *material, int param)
+/* Not where its strength is nothing, nor where its colour is, as of a glTF without emissiveFactor, whose strength is 1. */
+static unsigned principled_emits(const Node *material)
 {
-    return value_is_zero(node_param(material, param)) ? 0 : MODEL_EMITS;
+    const bool dark = value_is_zero(node_param(material, P_Principled_emission)) ||
+                      value_is_zero(node_param(material, P_Principled_emissionColor));
+    return dark ? 0 : MODEL_EMITS;
+}
+
+static unsigned phong_emits(const Node *material)
+{
+    return value_is_zero(node_param(material, P_Phong_emissive)) ? 0 : MODEL_EMITS;
 }
 
 /* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of an AlgorithmSwitch only the first is shown, and
@@ -81,9 +89,9 @@ static unsigned models_of(const Graph *graph, const Node *node)
     const KindRow *row = &kind_table[node->kind];
     unsigned models = 0;
     if (node->kind == KIND_Principled)
-        return 1u << MODEL_Principled | lobes_of(node) | emits(node, P_Principled_emission);
+        return 1u << MODEL_Principled | lobes_of(node) | principled_emits(node);
     if (node->kind == KIND_Phong)
-        return 1u << MODEL_Phong | emits(node, P_Phong_emissive);
+        return 1u << MODEL_Phong | phong_emits(node);
     if (node->kind == KIND_Layer)
         models |= 1u << MODEL_Principled | MODEL_LOBE(LOBE_coat);
     for (int i = 0; i < row->count && !(models && node->kind == KIND_AlgorithmSwitch); i++)
