@@ -3,6 +3,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/matc)
 set(MATC_SCHEMA ${CMAKE_INSTALL_DATADIR}/matc/schema)
+set(MATC_SURFACE ${CMAKE_INSTALL_DATADIR}/matc/surface)
 
 install(TARGETS matc EXPORT matcTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 set_target_properties(matc PROPERTIES EXPORT_NAME compiler)
@@ -23,10 +24,10 @@ install(FILES runtime/render/matc_render.h DESTINATION ${CMAKE_INSTALL_INCLUDEDI
 # What lights a Surface that the unpacking text gives: docs/layouts.md
 install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_facets.glsl runtime/surface/surface_principled.glsl runtime/surface/surface_principled_light.glsl
   runtime/surface/surface_anisotropic.glsl runtime/surface/surface_through.glsl
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/matc/surface)
+  DESTINATION ${MATC_SURFACE})
 
 configure_package_config_file(cmake/matcConfig.cmake.in ${PROJECT_BINARY_DIR}/package/matcConfig.cmake
-  INSTALL_DESTINATION ${package} PATH_VARS MATC_SCHEMA)
+  INSTALL_DESTINATION ${package} PATH_VARS MATC_SCHEMA MATC_SURFACE)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/matcConfig.cmake ${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake
   cmake/materials.cmake cmake/dependencies.cmake DESTINATION ${package})

@@ -61,6 +61,20 @@ check "a picture of their size" test "$size" = "960 $((rows * 120))"
 # Without a sphere it has 63 kB, with all 530
 check "which is not empty" test "$(wc -c <"$work/frame.png")" -gt 300000
 
+# The same engine for surfaces by their physics; coats are seen
+cp -r examples/engine "$work/physical"
+rm -r "$work/physical/materials"
+mkdir "$work/physical/materials"
+physical() {
+    printf 'materials:\n  gold: { material: Principled, baseColor: [.9, .6, .2], metalness: 1 }\n  paint: { material: Principled, baseColor: [.3, .05, .05], roughness: .6, coat: %s }\n' "$1" >"$work/physical/materials/two.yaml"
+    cmake -G "$generator" -S "$work/physical" -B "$work/physical/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DMODEL=principled -DLAYOUT=compact &&
+        cmake --build "$work/physical/build" && "$work/physical/build/engine" "$work/$1.png"
+}
+check "draws coats" physical 1
+check "and without" physical 0
+coated() { [ "$(wc -c <"$work/0.png")" -gt 20000 ] && ! cmp -s "$work/0.png" "$work/1.png"; }
+check "which differs" coated
+
 # The renderer, on a context of the host's
 cp -r examples/host "$work/host"
 check "configures a host" cmake -G "$generator" -S "$work/host" -B "$work/host/build" -DCMAKE_PREFIX_PATH="$work/prefix"

@@ -1,4 +1,5 @@
-// The light pass. It stands behind the code that matc wrote for the layout: struct Surface and unpackSurface().
+// The light pass. It stands behind the code that matc wrote for the layout, struct Surface and unpackSurface(), and behind the lobe that is installed with
+// matc: struct Lit, surfaceLit() and what it gives.
 uniform sampler2D depthBuffer;
 uniform float cell; // edge of a sphere's square in samples
 out vec4 color;     // linear; the render target encodes it
@@ -28,13 +29,14 @@ void main() {
     if (texelFetch(depthBuffer, pixel, 0).x >= 1.) return; // no surface here
 
     Surface s = unpackSurface(pixel);
-    vec3 opaque = 1. - s.transparency, mirrored = reflect(-TO_EYE, s.normal);
-    vec3 sum = s.emissive + opaque * s.diffuse * room(s.normal, 1.) + opaque * s.specular * room(mirrored, .5);
-    for (int i = 0; i < LIGHTS; i++) {
-        float facing = max(dot(s.normal, direction[i]), 0.);
-        float lobe = pow(max(dot(mirrored, direction[i]), 1e-6), min(s.shininess, 2000.));
-        sum += opaque * (s.diffuse + s.specular * lobe) * facing * power[i];
-    }
-    sum += s.transparency * backdrop(fract(gl_FragCoord.xy / cell - .08 * s.normal.xy)); // bent a little
+    Lit m = surfaceLit(s, TO_EYE);
+#ifdef SURFACE_HAS_metalness
+    vec3 mirrored = glossAround(m);
+#else
+    vec3 mirrored = surfaceGloss(m);
+#endif
+    vec3 sum = surfaceOwn(m) + surfaceEven(m) * room(m.normal, 1.) + mirrored * room(m.reflected, .5);
+    for (int i = 0; i < LIGHTS; i++) sum += surfaceLobe(m, direction[i]) * power[i];
+    sum += surfaceThrough(s, TO_EYE) * backdrop(fract(gl_FragCoord.xy / cell - .08 * m.normal.xy)); // bent a little
     color.rgb = sum / (1. + .25 * max(max(sum.r, sum.g), sum.b)) * 1.25; // bright lights do not clip at once
 }
