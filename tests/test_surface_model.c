@@ -7,6 +7,7 @@
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -134,9 +135,27 @@ static void faults_name_the_model(void **state)
     close_rig(&rig);
 }
 
+/* Each row of LOBE: a lobe that no text asks for would be drawn by nobody, or stay in programs that lack it. */
+static void lobes_are_asked_for(void **state)
+{
+    (void)state;
+    for (int lobe = 0; lobe < LOBE_COUNT; lobe++) {
+        const char *name = lobe_table[lobe].name;
+        char line[128];
+        int found = 0;
+        snprintf(line, sizeof line, "#if defined(SURFACE_HAS_%s) && !defined(SURFACE_LACKS_%s)\n", name, name);
+        found += strstr(surface_model_principled.text, line) != NULL;
+        for (int i = 0; i < SURFACE_MODEL_MORE; i++)
+            found += strstr(surface_model_more(&surface_model_principled, i), line) != NULL;
+        if (found != 1)
+            fail_msg("%s: asked for in %d texts", name, found);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lambert_is_phong_without_a_lobe),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lobes_are_asked_for),
+                                       cmocka_unit_test(lambert_is_phong_without_a_lobe),
                                        cmocka_unit_test(flat_is_a_slot), cmocka_unit_test(faults_name_the_model)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
