@@ -4,70 +4,21 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/base/output.h"
-#include "runtime/gl/png_write.h"
 #include "tests/value/apart.h"
+#include "tests/value/mipmaps.h"
 #include "tests/value/sheet.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_SIDE = 8, LEVELS = 4, LANES = 3, NOWHERE = -1 };
-typedef enum { REPEAT, MIRROR, CLAMP, BORDER, ADDRESS_COUNT } Address;
 static const char *const address_names[] = {"repeat", "mirror", "clamp", "border"};
 typedef float Pixels[SHEET_PIXELS][4];
-
-/* Of texels: level 0 is the picture, texel (column, row) of a level the mean of four of the one below; row 0 is at v = 0. */
-typedef struct {
-    int side;
-    Address address;
-    double texel[LEVELS][MOST_SIDE][MOST_SIDE][LANES];
-    char path[64];
-} Mipmaps;
 
 static Drawers drawers;
 static Mipmaps small, large; /* of 2 x 2 and 8 x 8 texels */
 
-/* Any, far from each other. */
-static uint8_t byte_at(int column, int row, int lane)
-{
-    return (uint8_t)(61 * column * column + 87 * row + 149 * column * row + 83 * lane + 17);
-}
-
 typedef double Want(const Mipmaps *m, double texels, const double u[2], int lane);
-
-static void fill_levels(Mipmaps *m)
-{
-    for (int level = 0; m->side >> level; level++)
-        for (int row = 0; row < m->side >> level; row++)
-            for (int column = 0; column < m->side >> level; column++)
-                for (int lane = 0; lane < LANES; lane++) {
-                    double(*below)[MOST_SIDE][LANES] = m->texel[level ? level - 1 : 0];
-                    int x = 2 * column, y = 2 * row;
-                    m->texel[level][row][column][lane] = !level ? byte_at(column, row, lane) / 255.
-                                                                : (below[y][x][lane] + below[y][x + 1][lane] +
-                                                                   below[y + 1][x][lane] + below[y + 1][x + 1][lane]) /
-                                                                      4;
-                }
-}
-
-static bool make_picture(Mipmaps *m, int side, const char *folder)
-{
-    uint8_t bytes[MOST_SIDE * MOST_SIDE * LANES];
-    *m = (Mipmaps){.side = side};
-    snprintf(m->path, sizeof m->path, "%s/%d.png", folder, side);
-    for (int i = 0; i < side * side * LANES; i++)
-        bytes[i] = byte_at(i / LANES % side, i / LANES / side, i % LANES);
-    fill_levels(m);
-    size_t size;
-    const char *why;
-    uint8_t *file = png_write(&(PngPicture){side, side, LANES, bytes}, &size, &why);
-    if (file)
-        why = output_write(m->path, file, size);
-    free(file);
-    return !why;
-}
 
 static char folder[] = "/tmp/matc-filtered-XXXXXX";
 
@@ -77,7 +28,7 @@ static int set_up(void **state)
     const char *fault = drawers_open(&drawers);
     if (fault)
         print_error("%s\n", fault);
-    return fault || !mkdtemp(folder) || !make_picture(&small, 2, folder) || !make_picture(&large, 8, folder);
+    return fault || !mkdtemp(folder) || !mipmaps_write(&small, 2, folder) || !mipmaps_write(&large, 8, folder);
 }
 
 static int tear_down(void **state)
@@ -87,49 +38,45 @@ static int tear_down(void **state)
     return remove(small.path) || remove(large.path) || rmdir(folder);
 }
 
-/* The texel that a whole number stands for, by walking there from the picture's own; NOWHERE: none. */
-static int wrapped(Address address, double place, int side)
-{
-    int texel = (int)floor(place);
-    if (texel >= 0 && texel < side)
-        return texel;
-    if (address == REPEAT)
-        return wrapped(address, texel < 0 ? texel + side : texel - side, side);
-    if (address == MIRROR)
-        return wrapped(address, texel < 0 ? -1 - texel : 2 * side - 1 - texel, side);
-    return address == BORDER ? NOWHERE : texel < 0 ? 0 : side - 1;
-}
-
-/* The four texels around a place, of which whole numbers are the texels' own. */
-static double bilinear(const Mipmaps *m, int level, double x, double y, int lane)
-{
-    int side = m->side >> level;
-    double sum = 0;
-    for (int i = 0; i < 4; i++) {
-        double column = floor(x) + i % 2, row = floor(y) + i / 2;
-        int k = wrapped(m->address, column, side), l = wrapped(m->address, row, side);
-        if (k != NOWHERE && l != NOWHERE)
-            sum += (1 - fabs(x - column)) * (1 - fabs(y - row)) * m->texel[level][l][k][lane];
-    }
-    return sum;
-}
-
 /* A picture's value stands at the lower corner of its texel (semantics.md 2.2), its mean over four of them half a texel further. */
 static double level_at(const Mipmaps *m, int level, const double u[2], int lane)
 {
     double scale = 1 << level, x = u[0] * m->side, y = u[1] * m->side;
-    return bilinear(m, level, (x + .5) / scale - .5, (y + .5) / scale - .5, lane);
+    return mipmaps_bilinear(m, level, (x + .5) / scale - .5, (y + .5) / scale - .5, lane);
 }
 
-/* --aa=box, by imageFiltered.glsl: as it is up to a texel a pixel; between one and two texels mixed with mipmaps, the level being the
- * logarithm of the texels; then the mipmaps alone. */
+/* With `texels: centre` each level's texels stand in the middle of their squares, as samplers of OpenGL have them. */
+static double middle_at(const Mipmaps *m, int level, const double u[2], int lane)
+{
+    int side = m->side >> level;
+    return mipmaps_bilinear(m, level, u[0] * side - .5, u[1] * side - .5, lane);
+}
+
+typedef double At(const Mipmaps *m, int level, const double u[2], int lane);
+
+/* Mixed of two levels, the level being the logarithm of the texels. */
+static double between(const Mipmaps *m, At *at, double texels, const double u[2], int lane)
+{
+    double level = fmin(fmax(log2(texels), 0), log2(m->side));
+    int low = (int)level, high = m->side >> (low + 1) ? low + 1 : low;
+    return at(m, low, u, lane) * (1 - level + low) + at(m, high, u, lane) * (level - low);
+}
+
+/* --aa=box, by imageFiltered.glsl: as it is up to a texel a pixel; between one and two texels mixed with mipmaps; then these alone. */
+static double mipmaps_at(const Mipmaps *m, At *at, double texels, const double u[2], int lane)
+{
+    double share = fmin(fmax(texels - 1, 0), 1);
+    return at(m, 0, u, lane) * (1 - share) + between(m, at, texels, u, lane) * share;
+}
+
 static double want_mipmaps(const Mipmaps *m, double texels, const double u[2], int lane)
 {
-    double near = bilinear(m, 0, u[0] * m->side, u[1] * m->side, lane);
-    double level = fmin(fmax(log2(texels), 0), log2(m->side)), share = fmin(fmax(texels - 1, 0), 1);
-    int low = (int)level, high = m->side >> (low + 1) ? low + 1 : low;
-    double far = level_at(m, low, u, lane) * (1 - level + low) + level_at(m, high, u, lane) * (level - low);
-    return near * (1 - share) + far * share;
+    return mipmaps_at(m, level_at, texels, u, lane);
+}
+
+static double want_middle_mipmaps(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    return mipmaps_at(m, middle_at, texels, u, lane);
 }
 
 /* In GLSL 1.10: sixteen places. */
@@ -137,18 +84,21 @@ static double want_samples(const Mipmaps *m, double texels, const double u[2], i
 {
     double sum = 0, x = u[0] * m->side, y = u[1] * m->side;
     if (texels <= 1)
-        return bilinear(m, 0, x, y, lane);
+        return mipmaps_bilinear(m, 0, x, y, lane);
     for (int i = 0; i < 16; i++)
-        sum += bilinear(m, 0, x + (i % 4 - 1.5) / 4 * texels, y + (i / 4 - 1.5) / 4 * texels, lane) / 16;
+        sum += mipmaps_bilinear(m, 0, x + (i % 4 - 1.5) / 4 * texels, y + (i / 4 - 1.5) / 4 * texels, lane) / 16;
     return sum;
 }
 
 /* By the sampler: the mipmap whose level is the logarithm of the texels, up to a texel the picture itself. */
 static double want_sampler(const Mipmaps *m, double texels, const double u[2], int lane)
 {
-    double level = fmin(fmax(log2(texels), 0), log2(m->side));
-    int low = (int)level, high = m->side >> (low + 1) ? low + 1 : low;
-    return level_at(m, low, u, lane) * (1 - level + low) + level_at(m, high, u, lane) * (level - low);
+    return between(m, level_at, texels, u, lane);
+}
+
+static double want_middle_sampler(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    return between(m, middle_at, texels, u, lane);
 }
 
 /* A BumpMap's normal: the slope is the difference to one texel further, of the mipmap that is shown here. */
@@ -195,7 +145,9 @@ static double want_points(const Mipmaps *m, double texels, const double u[2], in
     static const double places[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
     double sum = 0;
     for (int i = 0; i < 4; i++)
-        sum += bilinear(m, 0, u[0] * m->side + places[i][0] * texels, u[1] * m->side + places[i][1] * texels, lane) / 4;
+        sum += mipmaps_bilinear(m, 0, u[0] * m->side + places[i][0] * texels, u[1] * m->side + places[i][1] * texels,
+                                lane) /
+               4;
     return sum;
 }
 
@@ -226,8 +178,8 @@ static double measure(const Mipmaps *picture, double texels, const Look *look)
     sheet_set(&sheet, 1, look->turns - (look->turns > 0 ? .5 : .291), 0, texels / m->side);
     if (!filtered_draw(&f, &sheet, rgba))
         fail_msg("%s", f.error);
-    for (int i = 0; i < SHEET_PIXELS * LANES; i++) {
-        int pixel = i / LANES, lane = i % LANES;
+    for (int i = 0; i < SHEET_PIXELS * MIPMAPS_LANES; i++) {
+        int pixel = i / MIPMAPS_LANES, lane = i % MIPMAPS_LANES;
         Surface s;
         sheet_surface(&sheet, pixel, 0, 0, &s);
         const double *at = &s.root[channel_id(GROUP_U, 0)], u[2] = {at[0] - look->turns, at[1] - look->turns};
@@ -334,6 +286,24 @@ static void means_know_addresses(void **state)
     assert_int_equal(failures, 0);
 }
 
+/* Of a glTF's pictures. GLSL 1.10 has no mipmaps by `box`: sixteen places are the corners' test's. */
+static void texels_stand_in_the_middle(void **state)
+{
+    (void)state;
+    static const double texels[] = {.21, .9, 1.5, 2, 2.9, 4};
+    static const char middle[] = "{ %s, texels: centre }";
+    int failures = 0;
+    for (size_t i = 0; i < sizeof texels / sizeof *texels; i++)
+        for (Address address = REPEAT; address <= CLAMP; address++)
+            for (int target = 0; target < 2; target++) {
+                const Look looks[] = {{middle, "emissive", targets[target], "auto", want_middle_sampler, address, 0},
+                                      {middle, "emissive", targets[target], "box", want_middle_mipmaps, address, 0}};
+                failures += judge(&looks[0], texels[i], .015);
+                failures += judge(&looks[1], texels[i], texels[i] < 1 ? 1e-5 : .015);
+            }
+    assert_int_equal(failures, 0);
+}
+
 /* The slope of what goes on for ever is 0; that of a mirrored picture turns round. */
 static void slopes_know_addresses(void **state)
 {
@@ -369,9 +339,10 @@ static void slopes_keep_their_steps_far_out(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_show_their_mipmaps), cmocka_unit_test(samplers_show_pictures),
-        cmocka_unit_test(samplers_know_addresses),     cmocka_unit_test(means_know_addresses),
-        cmocka_unit_test(slopes_know_addresses),       cmocka_unit_test(slopes_keep_their_steps_far_out),
+        cmocka_unit_test(pictures_show_their_mipmaps),     cmocka_unit_test(samplers_show_pictures),
+        cmocka_unit_test(samplers_know_addresses),         cmocka_unit_test(means_know_addresses),
+        cmocka_unit_test(texels_stand_in_the_middle),      cmocka_unit_test(slopes_know_addresses),
+        cmocka_unit_test(slopes_keep_their_steps_far_out),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
