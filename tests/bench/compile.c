@@ -55,11 +55,10 @@ static double compile_once(const char *text, size_t size, const MatcOptions *opt
 }
 
 /* NAN for no runs. */
-static double compile_median(const char *text, size_t size, bool validate, int runs)
+static double compile_median(const char *text, size_t size, MatcOptions options, int runs)
 {
     if (!runs)
         return NAN;
-    MatcOptions options = options_for(validate);
     double *seconds = calloc((size_t)runs, sizeof *seconds);
     for (int i = -2; i < runs; i++) {
         double once = compile_once(text, size, &options);
@@ -132,8 +131,8 @@ static void print_formula(bool timed)
     char with[1024];
     static const char without[] = "material: Phong\ndiffuse: 0.5\n";
     const size_t size = (size_t)snprintf(with, sizeof with, "material: Phong\ndiffuse: \"= %s\"\n", largest_formula());
-    const double own = compile_median(with, size, false, timed ? RUNS : 0),
-                 plain = compile_median(without, sizeof without - 1, false, timed ? RUNS : 0);
+    const double own = compile_median(with, size, options_for(false), timed ? RUNS : 0),
+                 plain = compile_median(without, sizeof without - 1, options_for(false), timed ? RUNS : 0);
     printf("\na formula of 36 operations takes %s microseconds more than a number\n", NUMBER(1, (own - plain) * 1e6));
 }
 
@@ -156,20 +155,23 @@ static char *ladder_document(int nodes, size_t *size)
     return text;
 }
 
+/* As it is by default, and with --aa=none, which lowers a document once (compiler/lower/budget.c). */
 static void print_ladder(bool timed)
 {
-    printf("\nnodes      bytes   microseconds   microseconds a node   fragment bytes\n");
+    const int runs = timed ? LADDER_RUNS : 0;
+    printf("\nnodes      bytes   microseconds   microseconds a node   with --aa=none   fragment bytes\n");
     for (int nodes = 10; nodes <= 100000; nodes *= 10) {
         size_t size;
         char *text = ladder_document(nodes, &size);
-        double seconds = compile_median(text, size, false, timed ? LADDER_RUNS : 0);
-        MatcOptions options = options_for(false);
+        MatcOptions options = options_for(false), plain = options;
+        plain.aa = "none";
+        double seconds = compile_median(text, size, options, runs), once = compile_median(text, size, plain, runs);
         MatcDocument *document = matc_read("bench.yaml", text, size, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         size_t bytes;
         matc_output(program, MATC_FRAGMENT, &bytes);
-        printf("%5d %10zu %14s %21s %16zu\n", nodes, size, NUMBER(1, seconds * 1e6), NUMBER(3, seconds * 1e6 / nodes),
-               bytes);
+        printf("%5d %10zu %14s %21s %16s %16zu\n", nodes, size, NUMBER(1, seconds * 1e6),
+               NUMBER(3, seconds * 1e6 / nodes), NUMBER(3, once * 1e6 / nodes), bytes);
         matc_program_free(program);
         matc_document_free(document);
         free(text);
@@ -271,8 +273,8 @@ int bench_compile(int argc, char **argv)
     const size_t size = sizeof peers_document - 1;
     bool timed = !bench_untimed(argc, argv);
     bench_show("one document");
-    double bare = compile_median(peers_document, size, false, timed ? RUNS : 0);
-    double full = compile_median(peers_document, size, true, timed ? RUNS / 5 : 0);
+    double bare = compile_median(peers_document, size, options_for(false), timed ? RUNS : 0);
+    double full = compile_median(peers_document, size, options_for(true), timed ? RUNS / 5 : 0);
     bench_show("");
     printf("checker mixed with four octaves of noise (%zu bytes of YAML)\n", size);
     printf("  without validation %s ms; with validation %s ms; glslang's share %s %%\n\n", NUMBER(4, bare * 1e3),
