@@ -131,7 +131,6 @@ static void light_is_near(void **state)
 
 int main(void)
 {
-
     Rig rig = {.gl = frame_context(), .compact = frame_exact_options(), .whole = frame_exact_options()};
     rig.compact.layout = "compact";
     rig.compact.pixels = rig.whole.pixels = true;

@@ -1,4 +1,4 @@
-// The pyramid of what is traced: a node has the least and the greatest a, b, a - b and z of all triangles in it (trace_patch.glsl). The finest level asks its four triangles, the others four nodes each.
+// The pyramid of what is traced: a node has the least and the greatest a, b, a - b and z of all triangles in it (trace_patch.glsl), and of how far the surface bulges from them. The finest level asks its four triangles, the others four nodes each.
 layout(local_size_x = 64) in;
 layout(std430, binding = 5) buffer TraceNodes {
     vec4 trace_nodes[];

@@ -148,26 +148,25 @@ def paint(scenery, material):
     return shader.done(material)
 
 
+def geometry(output, scale, offset, material):
+    """A vector of the surface's geometry as a colour: times the scale, and the offset."""
+    shader = Shader(output)
+    colour = shader.node("ShaderNodeVectorMath")
+    colour.operation = "MULTIPLY_ADD"
+    shader.tree.links.new(shader.node("ShaderNodeNewGeometry").outputs[output], colour.inputs[0])
+    colour.inputs[1].default_value, colour.inputs[2].default_value = (scale,) * 3, (offset,) * 3
+    shader.add(shader.node("ShaderNodeEmission", Color=colour.outputs[0]))
+    return shader.done(material)
+
+
 def facing(scenery, material):
     """The normal, from -1 to 1, as a colour from 0 to 1."""
-    shader = Shader("facing")
-    half = shader.node("ShaderNodeVectorMath")
-    half.operation = "MULTIPLY_ADD"
-    shader.tree.links.new(shader.node("ShaderNodeNewGeometry").outputs["Normal"], half.inputs[0])
-    half.inputs[1].default_value = half.inputs[2].default_value = (.5, .5, .5)
-    shader.add(shader.node("ShaderNodeEmission", Color=half.outputs[0]))
-    return shader.done(material)
+    return geometry("Normal", .5, .5, material)
 
 
 def placed(scenery, material):
     """Where the surface is, as a colour: from -2 to 2 in 0 to 1."""
-    shader = Shader("placed")
-    fourth = shader.node("ShaderNodeVectorMath")
-    fourth.operation = "MULTIPLY_ADD"
-    shader.tree.links.new(shader.node("ShaderNodeNewGeometry").outputs["Position"], fourth.inputs[0])
-    fourth.inputs[1].default_value, fourth.inputs[2].default_value = (.25,) * 3, (.5,) * 3
-    shader.add(shader.node("ShaderNodeEmission", Color=fourth.outputs[0]))
-    return shader.done(material)
+    return geometry("Position", .25, .5, material)
 
 
 def principled(scenery, material):
