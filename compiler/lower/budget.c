@@ -23,7 +23,8 @@
 
 enum {
     FREE_COST = 200, /* operations that a pixel has the time for anyway: 234 were measured to take none */
-    MOST_SLOW = 2    /* guesses after each other that may leave more than half */
+    MOST_SLOW = 2,   /* guesses after each other that may leave more than half */
+    SURELY = 3       /* times what is left, by the first guess of a mean's cost: it does not fit */
 };
 static const double most_growth = 1.1, most_growth_of_plane = 2;
 
@@ -132,7 +133,9 @@ static void add_costs(const Ir *ir, double sign, double *costs, int count)
 /* Means cost as much as both programs say of their maps, in proportion to what programs at both ends of the bracket were found to cost: of 62 checkers
  * behind one noise the first pays for the slope of that. Where two guesses have left more than half, the middle is next.
  *
- *     none of 100 costs 200, all cost 2,200, each as much, and 220 may be spent: 1 is tried, and fits; 2 cost 240, and that is known */
+ *     none of 100 costs 200, all cost 2,200, each as much, and 220 may be spent: 1 is tried, and fits; 2 cost 240, and that is known
+ *
+ * So many as fit already: the next one alone costs SURELY times what is left, and is not tried. */
 static int guess(const Bracket *b, double most, bool halve)
 {
     const int between = b->beyond - b->fit;
@@ -140,6 +143,8 @@ static int guess(const Bracket *b, double most, bool halve)
     if (halve || !(rise > 0) || !(about > 0))
         return b->fit + (between / 2 > 1 ? between / 2 : 1);
     const double left = (most - b->cost_fit) * about / rise;
+    if (b->upto[b->fit + 1] - b->upto[b->fit] > SURELY * fmax(left, most - b->cost_fit))
+        return b->fit;
     int step = 1;
     while (step + 1 < between && b->upto[b->fit + step + 1] - b->upto[b->fit] <= left)
         step++;
@@ -180,6 +185,8 @@ static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double mo
     int slow = 0; /* guesses that left more than half */
     while (b.fit + 1 < b.beyond) {
         const int before = b.beyond - b.fit, tried = guess(&b, most, slow == MOST_SLOW);
+        if (tried == b.fit)
+            break;
         try_below(next, what, ends[tried - 1]);
         const double cost = next->ir ? next->cost : 0; /* of one that failed nothing is known */
         if (fits(next, most)) {
