@@ -1,6 +1,7 @@
 #!/bin/sh
 # A folder's README.md is a page that is true: it names every .c and .def of the folder, names no file that is not there, and the
-# README.md of the folder above leads to it. Names stand in backquotes; `lower_*.c` names them all. And no file is a link. Run from the project's root.
+# README.md of the folder above leads to it. Names stand in backquotes; `lower_*.c` names them all. And no file is a link, nor holds
+# both sides of a merge. Run from the project's root.
 set -eu
 all=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -print)
 end='
@@ -24,5 +25,7 @@ said=$(
     done
 )
 links=$(find . \( -path './build*' -o -path './.*' \) -prune -o -type l -print | sed 's/$/ is a link: nothing here leads elsewhere/')
-[ -z "$said$links" ] || printf '%s\n' "$said" "$links"
-[ -z "$said$links" ]
+# The words of git begin a line; here a bracket keeps this file from being one of them.
+merged=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -exec grep -IlE '^([<]{7}|[>]{7}) ' {} + | sed 's/$/ holds both sides of a merge/')
+[ -z "$said$links$merged" ] || printf '%s\n' "$said" "$links" "$merged"
+[ -z "$said$links$merged" ]
