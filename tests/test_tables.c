@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "grammar/foreign_table.h"
 #include "grammar/layout_tables.h"
 #include "compiler/matc.h"
 #include "grammar/scene_tables.h"
@@ -227,6 +228,57 @@ static void every_alias_and_preset_is_known(void **state)
     }
 }
 
+static bool is_kind(const char *name, size_t size, bool material)
+{
+    for (int kind = 0; kind < KIND_COUNT; kind++)
+        if (strlen(kind_table[kind].name) == size && !strncmp(kind_table[kind].name, name, size))
+            return (kind_table[kind].lowering == LOWERING_MATERIAL) == material;
+    return false;
+}
+
+static bool is_param(Kind kind, const char *name, size_t size)
+{
+    for (int i = 0; i < kind_table[kind].count; i++) {
+        const char *param = param_table[kind_table[kind].first + i].name;
+        if (strlen(param) == size && !strncmp(param, name, size))
+            return true;
+    }
+    return false;
+}
+
+/* What a message says of another tool's name begins with a name that is ours, but for these words. */
+static void foreign_names_lead_to_ours(void **state)
+{
+    static const char *const others[] = {"a formula: '= ", "nothing: ", "bricks of the library: ", "the fourth number of diffuse"};
+    (void)state;
+    for (int i = 0; i < foreign_count; i++) {
+        const ForeignRow *row = &foreign_table[i];
+        const size_t size = strcspn(row->here, " ,:;");
+        bool ours = row->group == FOREIGN_PARAM ? is_param(row->kind, row->here, size)
+                                                : is_kind(row->here, size, row->group == FOREIGN_MATERIAL);
+        for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+            ours |= !strncmp(row->here, others[k], strlen(others[k]));
+        if (!ours)
+            fail_msg("'%s' leads to '%s', which is not here", row->name, row->here);
+        assert_string_equal(foreign_name(row->group, row->kind, row->name), row->here); /* no name stands twice */
+    }
+}
+
+/* A name that is ours, written in another way, is no foreign one. */
+static void foreign_names_are_not_ours(void **state)
+{
+    (void)state;
+    for (int i = 0; i < PARAM_COUNT; i++)
+        assert_null(foreign_name(FOREIGN_PARAM, param_table[i].kind, param_table[i].name));
+    for (int i = 0; i < KIND_COUNT + alias_count + preset_count; i++) {
+        const int alias = i - KIND_COUNT, preset = alias - alias_count;
+        const Kind kind = alias < 0 ? (Kind)i : preset < 0 ? alias_table[alias].kind : preset_table[preset].kind;
+        const char *name = alias < 0 ? kind_table[i].name : preset < 0 ? alias_table[alias].alias : preset_table[preset].name;
+        const bool material = kind_table[kind].lowering == LOWERING_MATERIAL;
+        assert_null(foreign_name(material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -234,6 +286,7 @@ int main(void)
         cmocka_unit_test(defaults_are_in_range), cmocka_unit_test(scenes_are_sound),
         cmocka_unit_test(maps_have_their_files), cmocka_unit_test(no_function_has_an_underscore), cmocka_unit_test(every_parameter_is_tried),
         cmocka_unit_test(every_wave_is_known),   cmocka_unit_test(every_alias_and_preset_is_known),
+        cmocka_unit_test(foreign_names_lead_to_ours), cmocka_unit_test(foreign_names_are_not_ours),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -151,3 +151,13 @@ const Member *mistake_case(const Tree *object, const char *key)
             return &object->members[i];
     return NULL;
 }
+
+const char *mistake_foreign(Session *session, ForeignGroup group, Kind kind, const char *name)
+{
+    const char *here = diag_full(session) ? NULL : foreign_name(group, kind, name);
+    if (!here)
+        return NULL;
+    Text text = text_new(session->arena);
+    text_format(&text, "; here it is %s", here);
+    return text.at;
+}

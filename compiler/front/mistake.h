@@ -2,6 +2,7 @@
 #ifndef MATC_MISTAKE_H
 #define MATC_MISTAKE_H
 #include "compiler/front/resolve.h"
+#include "grammar/foreign_table.h"
 
 /* A scalar that is no number where one is wanted: in quotes, or with a unit. */
 bool mistake_number(Resolver *r, const Tree *tree);
@@ -15,4 +16,6 @@ bool mistake_keys(Session *session, const Tree *object);
 bool mistake_hex(Resolver *r, const Tree *tree, const char *text);
 /* The key that is written in another case; NULL if there is none. */
 const Member *mistake_case(const Tree *object, const char *key);
+/* "; here it is ImageMap": of a name that other tools have for a map, a material or a parameter of `kind` (foreign_kinds.def). NULL: of none. */
+const char *mistake_foreign(Session *session, ForeignGroup group, Kind kind, const char *name);
 #endif

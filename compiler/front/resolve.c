@@ -29,6 +29,16 @@ static const char *name_of_group(const void *material, int i)
     return is_material(kind) == *(const bool *)material ? name : NULL;
 }
 
+/* What is said of a name that is no kind's: what it is here, which name is like it, or where all are. */
+static const char *near_kind(Resolver *r, const char *name, bool material)
+{
+    const char *near = mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name);
+    const NameChoice names = {name_of_group, &material, material ? KIND_COUNT : kind_name_count()};
+    if (!near)
+        near = diag_suggest_or_list(r->session, name, &names, material ? "; there are " : NULL);
+    return *near || diag_full(r->session) ? near : "; matc --list has all";
+}
+
 /* The kind a name stands for; *preset is the name if it is one. */
 static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, const char **preset)
 {
@@ -48,10 +58,9 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
         }
     }
     const DiagKind unknown = material ? DIAG_unknown_material : DIAG_unknown_map;
-    const char *near = other ? "" : diag_suggest_or_list(
-        r->session, name->text, &(NameChoice){name_of_group, &material, material ? KIND_COUNT : kind_name_count()},
-        material ? "; there are " : NULL);
-    diag_add(r->session, name->span, !other ? unknown : material ? DIAG_map_not_material : DIAG_material_not_map, name->text, near);
+    const DiagKind swapped = material ? DIAG_map_not_material : DIAG_material_not_map;
+    diag_add(r->session, name->span, other ? swapped : unknown, name->text,
+             other ? "" : near_kind(r, name->text, material));
     return false;
 }
 
@@ -96,6 +105,22 @@ static void set_presets(const char *preset, Kind kind, Value *params)
             params[preset_table[i].param - kind_table[kind].first].number[0] = preset_table[i].init;
 }
 
+/* What is said of a key that is no parameter: what it is called here, what is like it, or what there is. */
+static const char *near_param(Resolver *r, const KindRow *row, const char *key)
+{
+    enum { MOST_LISTED = 12 }; /* more are no help within a message */
+    const char *foreign = mistake_foreign(r->session, FOREIGN_PARAM, (Kind)(row - kind_table), key);
+    const NameChoice names = {param_name, row, row->count};
+    if (foreign || row->count <= MOST_LISTED)
+        return foreign ? foreign : diag_suggest_or_list(r->session, key, &names, "; it has ");
+    const char *near = diag_suggest(r->session, key, names.name, names.user, names.count);
+    if (*near || diag_full(r->session))
+        return near;
+    Text all = text_new(r->session->arena);
+    text_format(&all, "; matc --explain %s has all %d", row->name, row->count);
+    return all.at;
+}
+
 static bool resolve_member(Resolver *r, const Member *member, Kind kind, const char *name, Value *params)
 {
     const KindRow *row = &kind_table[kind];
@@ -104,8 +129,7 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
             return resolve_param(r, &param_table[row->first + i], member->value, &params[i]);
     if (mistake_key(r->session, member->span, member->key))
         return false;
-    const char *near =
-        diag_suggest_or_list(r->session, member->key, &(NameChoice){param_name, row, row->count}, "; it has ");
+    const char *near = near_param(r, row, member->key);
     diag_add(r->session, member->span, DIAG_unknown_key, name, member->key, near);
     return false;
 }
