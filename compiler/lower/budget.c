@@ -6,8 +6,9 @@
  *     for a constant (docs/accuracy-gpu.md), since there is other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200
  *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
  *
- * Tried are all means; points, unless the means are free or none; and, where not all fit, those that come first in the document, as many as
- * are found by what the programs with none and with all say of each map. Most programs are lowered once; where not all fit, four times or so.
+ * A program that may be small, by the tables, is first made with all means: where they are free, or none, it is the one. Any other is made of
+ * points, and what the mean of each map costs beside its point is known without a program of it (price.h): of that only what should fit is tried, all
+ * means, or those that come first in the document. Most programs are lowered once, where none fits, too; where some fit, twice or so.
  *
  * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass averages none: it compares with a threshold,
  * and of a mean that loses what is finer than a texel. A leaf of holes, half of it transparent by 0.7 and half by 0.1:
@@ -15,36 +16,17 @@
  *     of means:  0.4 everywhere, and all are held
  *
  * A plane reaches the horizon, where every map is finer than a pixel: its pass may cost twice as much. */
-#include "compiler/lower/lower.h"
+#include "compiler/lower/price.h"
 #include <limits.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum {
     FREE_COST = 200, /* operations that a pixel has the time for anyway: 234 were measured to take none */
-    MOST_SLOW = 2,   /* guesses after each other that may leave more than half */
-    SURELY = 3       /* times what is left, by the first guess of a mean's cost: it does not fit */
+    MOST_SLOW = 2    /* guesses after each other that may leave more than half */
 };
+static const double SURELY = 1.1, SURELY_MINGLED = 3; /* times what is left, by a mean's price: it does not fit */
 static const double most_growth = 1.1, most_growth_of_plane = 2;
-
-static int by_index(const void *a, const void *b)
-{
-    const Node *const *x = a, *const *y = b;
-    return ((*x)->index > (*y)->index) - ((*x)->index < (*y)->index);
-}
-
-/* One more than the index of each, ascending, equal ones once. */
-static int *ends_of(Arena *arena, const MapList *maps, int *count)
-{
-    int *ends = ARENA_ARRAY(arena, int, maps->count);
-    *count = 0;
-    qsort(maps->at, maps->count, sizeof(const Node *), by_index);
-    for (size_t i = 0; i < maps->count; i++)
-        if (!i || maps->at[i] != maps->at[i - 1])
-            ends[(*count)++] = maps->at[i]->index + 1;
-    return ends;
-}
 
 /* A lowering in memory of its own, with diagnostics of its own, which goes without a trace unless it is taken. It stays where it is. */
 typedef struct {
@@ -115,73 +97,35 @@ typedef struct {
     int fit, beyond;
     double cost_fit, cost_beyond;
     const double *upto; /* by how many means: what the first so many add, about */
+    double surely;      /* so many times what is left */
 } Bracket;
 
-/* What live nodes cost that were made for a map, by its index. */
-static void add_costs(const Ir *ir, double sign, double *costs, int count)
-{
-    Arena scratch = {0};
-    const uint8_t *live = ir_live(ir, &scratch);
-    for (Ref ref = 1; ref < ir->count; ref++) {
-        const Node *map = live[ref] ? ir_origin_map(ir, ir_at(ir, ref)->origin) : NULL;
-        if (map && map->index < count)
-            costs[map->index] += sign * ir_cost(ir, ref);
-    }
-    arena_free(&scratch);
-}
-
-/* Means cost as much as both programs say of their maps, in proportion to what programs at both ends of the bracket were found to cost: of 62 checkers
- * behind one noise the first pays for the slope of that. Where two guesses have left more than half, the middle is next.
+/* Means cost as their prices say, in proportion to what programs at both ends of the bracket were found to cost. Where two guesses have left more
+ * than half, the middle is next.
  *
  *     none of 100 costs 200, all cost 2,200, each as much, and 220 may be spent: 1 is tried, and fits; 2 cost 240, and that is known
  *
- * So many as fit already: the next one alone costs SURELY times what is left, and is not tried. */
+ * So many as fit already: the next one alone costs surely more than what is left, and is not tried. */
 static int guess(const Bracket *b, double most, bool halve)
 {
     const int between = b->beyond - b->fit;
     const double rise = b->cost_beyond - b->cost_fit, about = b->upto[b->beyond] - b->upto[b->fit];
+    const double next = b->upto[b->fit + 1] - b->upto[b->fit];
+    if (next > b->surely * (most - b->cost_fit))
+        return b->fit;
     if (halve || !(rise > 0) || !(about > 0))
         return b->fit + (between / 2 > 1 ? between / 2 : 1);
     const double left = (most - b->cost_fit) * about / rise;
-    if (b->upto[b->fit + 1] - b->upto[b->fit] > SURELY * fmax(left, most - b->cost_fit))
-        return b->fit;
     int step = 1;
     while (step + 1 < between && b->upto[b->fit + step + 1] - b->upto[b->fit] <= left)
         step++;
     return b->fit + step;
 }
 
-/* Of a program that is gone. */
-typedef struct {
-    double cost;
-    double *of_map; /* by index */
-    int count;
-} Cost;
-
-static Cost cost_of(Trial *trial, Arena *arena)
-{
-    Cost cost = {.cost = trial->ir ? trial->cost : 0};
-    for (size_t i = 0; i < trial->seen.count; i++)
-        cost.count = trial->seen.at[i]->index >= cost.count ? trial->seen.at[i]->index + 1 : cost.count;
-    cost.of_map = ARENA_ARRAY(arena, double, cost.count);
-    if (trial->ir)
-        add_costs(trial->ir, 1, cost.of_map, cost.count);
-    return cost;
-}
-
-/* The one with as many means as fit, of those before the last, beside one that has none; all of them cost so much. The others are
- * dropped. */
-static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, const Cost *all)
+/* The one with as many means as fit, of those between, beside one that has `fit`. The others are dropped. */
+static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, Bracket b, const int *ends)
 {
     Trial *next = &trials[0], *best = &trials[1];
-    Bracket b = {.cost_fit = best->cost, .cost_beyond = all->cost};
-    const int *ends = ends_of(what->session->arena, &best->seen, &b.beyond);
-    double *upto = ARENA_ARRAY(what->session->arena, double, b.beyond + 1);
-    add_costs(best->ir, -1, all->of_map, all->count);
-    for (int i = 0, map = 0; i < b.beyond; i++) /* with what below it has slopes for it, which was resolved before it */
-        for (upto[i + 1] = upto[i]; map < ends[i]; map++)
-            upto[i + 1] += fmax(all->of_map[map], 0);
-    b.upto = upto;
     int slow = 0; /* guesses that left more than half */
     while (b.fit + 1 < b.beyond) {
         const int before = b.beyond - b.fit, tried = guess(&b, most, slow == MOST_SLOW);
@@ -201,23 +145,66 @@ static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double mo
     return best;
 }
 
+/* What may be spent beside a program of points. */
+static double most_beside(const LowerRequest *what, int plain)
+{
+    const double growth = what->job->pass == PASS_plane ? most_growth_of_plane : most_growth;
+    return growth * (plain > FREE_COST ? plain : FREE_COST);
+}
+
+/* By the tables a program may be small enough that its means are free: one with all of them is the first to be made. */
+static bool may_be_free(const Node *material) { return lower_map_cost_below(material, FREE_COST) < FREE_COST; }
+
+/* The one to take, where points are made; of all means it is known what they cost; NAN: they were not tried. */
+static Trial *beside_points(const LowerRequest *what, Trial trials[2], double cost_of_all)
+{
+    Trial *all = &trials[0], *plain = &trials[1];
+    const double most = most_beside(what, plain->cost);
+    const double surely = plain->seen.mingled ? SURELY_MINGLED : SURELY;
+    const double enough = isnan(cost_of_all) ? surely * (most - plain->cost) : INFINITY;
+    const Prices prices = price_means(what, &plain->seen, enough);
+    const bool within = prices.known == prices.count && prices.upto[prices.count] <= enough;
+    if (prices.alike == prices.count)
+        return plain;
+    if (within && isnan(cost_of_all)) {
+        try_below(all, what, INT_MAX);
+        if (fits(all, most)) {
+            drop(plain);
+            return all;
+        }
+        cost_of_all = all->ir ? all->cost : NAN;
+        drop(all);
+    }
+    const double about = plain->cost + prices.upto[prices.known];
+    const Bracket b = {.fit = prices.alike,
+                       .beyond = prices.known,
+                       .cost_fit = plain->cost,
+                       .cost_beyond = prices.known == prices.count && !isnan(cost_of_all) ? cost_of_all : about,
+                       .upto = prices.upto,
+                       .surely = surely};
+    return most_that_fit(what, trials, most, b, prices.ends);
+}
+
 /* The one to take, of two that are made here; the other one is dropped. */
 static Trial *affordable(const LowerRequest *what, Trial trials[2])
 {
-    const double growth = what->job->pass == PASS_plane ? most_growth_of_plane : most_growth;
     Trial *all = &trials[0], *plain = &trials[1];
-    try_below(all, what, INT_MAX);
-    if (all->ir && (!all->seen.count || fits(all, growth * FREE_COST)))
-        return all;
+    double cost_of_all = NAN;
+    const bool first = may_be_free(what->material);
+    if (first) {
+        try_below(all, what, INT_MAX);
+        if (all->ir && (!all->seen.count || fits(all, most_beside(what, 0))))
+            return all;
+        cost_of_all = all->ir ? all->cost : NAN;
+    }
     try_below(plain, what, 0);
-    const double most = growth * (plain->cost > FREE_COST ? plain->cost : FREE_COST);
-    if (plain->ir && fits(all, most)) {
+    if (plain->ir && first && fits(all, most_beside(what, plain->cost))) {
         drop(plain);
         return all;
     }
-    const Cost cost = cost_of(all, what->session->arena);
     drop(all);
-    return plain->ir ? most_that_fit(what, trials, most, &cost) : plain;
+    const bool known = plain->seen.count <= (size_t)first; /* there is none, or one, which costs too much */
+    return plain->ir && !known ? beside_points(what, trials, cost_of_all) : plain;
 }
 
 static bool may_average(const Job *job) { return job->choice[AXIS_aa] == CHOICE_aa_auto && job->pass != PASS_shadow; }

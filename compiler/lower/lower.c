@@ -130,6 +130,13 @@ static Ref root_of(Lower *l, Group group, const Env *env)
     return env->root[group];
 }
 
+static void note_averageable(Lower *l, const Node *map, Group group, const Env *env)
+{
+    const MetMap met = {map, group, !env->number && !env->relief};
+    ARENA_PUSH(l->session->arena, l->averageable.at, l->averageable.count, l->averageable.room, met);
+    l->averageable.mingled |= !met.outside;
+}
+
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
 {
     if (!map || group_is_draws(group))
@@ -150,8 +157,8 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     const Node *above = l->map;
     l->ir->origin = ir_origin(l->ir, map);
     l->map = map;
-    if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind))
-        ARENA_PUSH(l->session->arena, l->averageable.at, l->averageable.count, l->averageable.room, map);
+    if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind) && !l->filters)
+        note_averageable(l, map, group, env);
     Answer answer = lower_map[map->kind](l, map, group, env);
     l->map = above;
     lower_mark_head(l->ir, answer.value, l->ir->origin);
@@ -162,21 +169,26 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     return answer;
 }
 
-/* What evaluating a map costs by the tables, up to `limit`. */
-static int map_cost_below(const Node *map, int limit)
+/* A material counts, too, so that of mixes of mixes no more than `limit` are looked at. */
+static int own_cost(const Node *map)
 {
-    int cost = map ? kind_table[map->kind].cost : 0;
+    return kind_table[map->kind].cost + (kind_table[map->kind].lowering == LOWERING_MATERIAL);
+}
+
+int lower_map_cost_below(const Node *map, int limit)
+{
+    int cost = map ? own_cost(map) : 0;
     for (int i = 0; map && i < kind_table[map->kind].count && cost < limit; i++) {
         const Value *value = &map->params[i];
         if (value->kind == VALUE_node)
-            cost += map_cost_below(value->node, limit - cost);
+            cost += lower_map_cost_below(value->node, limit - cost);
         for (int k = 0; value->kind == VALUE_items && k < value->items->count && cost < limit; k++)
-            cost += map_cost_below(value->items->item[k].input, limit - cost);
+            cost += lower_map_cost_below(value->items->item[k].input, limit - cost);
     }
     return cost;
 }
 
-bool lower_wants_branch(const Node *map) { return map_cost_below(map, LEAST_ARM) >= LEAST_ARM; }
+bool lower_wants_branch(const Node *map) { return lower_map_cost_below(map, LEAST_ARM) >= LEAST_ARM; }
 
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
 {

@@ -57,11 +57,18 @@ typedef struct {
     int outer;
 } Place;
 
-/* Maps that --aa=auto may average, as lowering met them. */
+/* A map that --aa=auto may average, as lowering met it: asked for a group. */
 typedef struct {
-    const Node **at;
+    const Node *map;
+    Group group;
+    bool outside; /* where the pass begins: not at a Triplanar's place, nor in a relief */
+} MetMap;
+typedef struct {
+    MetMap *at;
     size_t count, room;
+    bool mingled; /* with what else is computed: slopes and footprints that are asked for anyway */
 } MapList;
+
 /* How nodes are made. */
 typedef struct {
     bool cheap;         /* forms that are cheaper but not the plainest: -O1 and up */
@@ -100,6 +107,7 @@ typedef struct {
     uint8_t *uniform_use;            /* by uniform: 1 as a count, 2 as a number */
     const struct Crossing *crossing; /* Blends whose coordinates are to be looked at, the last first; lower_doubt.c */
     const struct Relief *reliefs;    /* displacements whose slopes are, the last first */
+    bool detached;                   /* a footprint was asked for: it stands behind a mark */
     bool failed;                     /* a diagnostic was made */
 } Lower;
 
@@ -118,12 +126,17 @@ typedef struct {
 } LowerRequest;
 /* The same where --aa=auto averages the maps below an index alone; those that it could average, if wanted. lower_pass.c */
 Ir *lower_averaging(const LowerRequest *what, int below, MapList *seen);
+/* A lowering of maps alone, and the environment that its pass begins with. lower_pass.c */
+Lower lower_start(const LowerRequest *what, int optimize);
+Env lower_pass_env(Lower *l);
 
 /* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float, the rest are vec3. */
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
 /* Its value. */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
 /* The same of a map that is one of several to choose from: its evaluation may become a branch's. */
+/* What evaluating a map or material costs by the tables, up to `limit`. */
+int lower_map_cost_below(const Node *map, int limit);
 bool lower_wants_branch(const Node *map); /* it costs enough to be computed only where it shows */
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env);
 void lower_mark_head(Ir *ir, Ref value, uint32_t origin);

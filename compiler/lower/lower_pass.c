@@ -119,24 +119,25 @@ static void write_slots(Lower *l, const Node *material, const Env *env)
         ir_output(l->ir, OUT_color, slot, slot == SLOT_anisotropy ? lower_stored_anisotropy(l, material, env) : lower_slot(l, material, (Slot)slot, env));
 }
 
-static Env pass_env(Lower *l)
+Env lower_pass_env(Lower *l)
 {
     return l->job->pass == PASS_plane ? plane_env(l) : l->job->pass == PASS_sky ? sky_env(l) : lower_surface_env(l);
 }
 
-static Lower start(Session *session, const Graph *graph, const Job *job, Simplify *simplify, int optimize)
+Lower lower_start(const LowerRequest *what, int optimize)
 {
-    Lower l = {.session = session,
-               .graph = graph,
-               .ir = ir_new(session, graph),
+    const Job *job = what->job;
+    Lower l = {.session = what->session,
+               .graph = what->graph,
+               .ir = ir_new(what->session, what->graph),
                .job = job,
-               .simplify = simplify,
+               .simplify = what->simplify,
                .cheap = optimize > 0};
-    l.ir->simplify = optimize > 0 ? simplify : NULL;
+    l.ir->simplify = optimize > 0 ? what->simplify : NULL;
     l.ir->keep_pow = job->choice[AXIS_powers] == CHOICE_powers_pow;
     l.ir->noise = job_noise(job->choice[AXIS_noise], job->target);
     l.ir->origin = ORIGIN_SURFACE;
-    l.uniform_use = ARENA_ARRAY(session->arena, uint8_t, graph->uniform_count);
+    l.uniform_use = ARENA_ARRAY(what->session->arena, uint8_t, what->graph->uniform_count);
     return l;
 }
 
@@ -150,8 +151,8 @@ static int find_case(Lower *l, const Node *material, const Env *env)
         return number % none;
     Job job = *l->job;
     job.from_buffer = false;
-    Lower probe = start(l->session, l->graph, &job, l->simplify, 1);
-    Env own = pass_env(&probe);
+    Lower probe = lower_start(&(LowerRequest){l->session, l->graph, material, &job, l->simplify}, 1);
+    Env own = lower_pass_env(&probe);
     number = lower_layout_case(&probe, material, &own);
     if (number == none)
         number = lower_nearest_case(&probe, material, &own);
@@ -175,7 +176,7 @@ static void write_pass(Lower *l, const Node *material)
 {
     Ir *ir = l->ir;
     const Job *job = l->job;
-    Env env = pass_env(l);
+    Env env = lower_pass_env(l);
     switch (job->pass) {
     case PASS_gbuffer:
     case PASS_plane:
@@ -221,11 +222,11 @@ static void write_on_stack(void *user)
 Ir *lower_averaging(const LowerRequest *what, int below, MapList *seen)
 {
     const Node *material = what->material;
-    Lower l = start(what->session, what->graph, what->job, what->simplify, what->session->optimize);
+    Lower l = lower_start(what, what->session->optimize);
     l.averaged_below = below;
     stack_run(material ? material->depth : 0, write_on_stack, &(Writing){&l, material});
     if (seen)
-        *seen = l.averageable;
+        *seen = l.averageable, seen->mingled |= l.detached;
     if (l.failed)
         return NULL;
     lower_doubt(&l);

@@ -361,8 +361,10 @@ Ref slope_of(Lower *l, Ref value, Direction direction)
 Ref slope_detached(Lower *l, Ref value, Direction direction)
 {
     Ref slope = slope_of(l, value, direction);
-    return !slope || ir_is(l->ir, slope, OP_const) || ir_is(l->ir, slope, OP_input) || ir_is(l->ir, slope, OP_attribute) ? slope
-                                                                                    : build_detach(l->ir, slope);
+    if (!slope || ir_is(l->ir, slope, OP_const) || ir_is(l->ir, slope, OP_input) || ir_is(l->ir, slope, OP_attribute))
+        return slope;
+    l->detached = true;
+    return build_detach(l->ir, slope);
 }
 
 static Ref attach(Ir *ir, Ref ref, const void *user)
@@ -373,7 +375,7 @@ static Ref attach(Ir *ir, Ref ref, const void *user)
 
 void slope_done(Lower *l)
 {
-    if (l->job->choice[AXIS_aa] != CHOICE_aa_none || l->place_count)
+    if (l->detached)
         ir_sweep(l->ir, attach, NULL);
     arena_reset(&l->ir->scratch);
 }
