@@ -1,153 +1,16 @@
 /* Bisection by compute stages, under OSMesa: its triangles against those of the processor's bisection by the same error, in double; the same set however the camera came there;
  * each side of a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures against those of fine meshes, and shadows of what the camera does not see. */
+#include "tests/frame/bisection_body.h"
 #include "tests/frame/bisection_reference.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
-#include "runtime/displace/displaced_bisection.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { EDGE = 64, PIXELS = EDGE * EDGE };
-
-static const char materials[] =
-    "materials:\n"
-    "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 0.2,\n"
-    "    displacementBound: 0.3, displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"
-    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1,\n"
-    "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n";
-static const char *const bodies[] = {
-    "- { object: Parallelogram, u: [6,0,0], v: [1,5,.5], material: rock, transform: { translation: [-3,-2,0] } }\n",
-    "- { object: Sphere, radius: 0.9, material: rock, detail: 8 }\n",
-    "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }\n",
-    "- { object: Sphere, radius: 0.9, material: tiles, detail: 12 }\n",
-    "- { object: Cone, radius: 0.8, height: 1.5, detail: 12, material: rock, transform: { translation: [0, 0, -0.5], "
-    "rotation: [2, 0, 0], scale: [1, 1.2, 0.8] } }\n",
-};
-enum { BODIES = sizeof bodies / sizeof *bodies };
-
-static Scene *open_scene(const char *how, const char *object, const MatcOptions *options, MatcDocument **document)
-{
-    char text[4000];
-    snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n%s"
-             "displacement: { method: bisection, %s }\nlights: [{ light: Directional, direction: [1,.6,-1] }]\nobjects:\n%s",
-             EDGE, EDGE, materials, how, object);
-    return frame_scene(text, options, document);
-}
-
-static void look_from(SceneCamera *camera, int view, int views, double distance)
-{
-    const double z = 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view, r = sqrt(1 - z * z),
-                 way[3] = {r * cos(turn), r * sin(turn), z};
-    for (int i = 0; i < 3; i++)
-        camera->position[i] = distance * way[i];
-    assert_true(scene_camera_aim(camera) == SCENE_AIM_fine);
-}
-
-typedef struct {
-    GlContext *gl;
-    MatcOptions options;
-    MatcDocument *document;
-    Scene *scene;
-    Store *store;
-    Mesh mesh;
-    Displaced displaced;
-} Bisected;
-
-static void make_fresh(Bisected *b)
-{
-    Displaced before = b->displaced; /* whose programs are kept */
-    if (b->mesh.array)
-        mesh_delete(b->gl, &b->mesh);
-    assert_true(mesh_make_captured(b->gl, &b->mesh));
-    b->mesh.body = shape_body(&b->scene->meshes[b->scene->objects[0].mesh].shape) == SHAPE_BODY_none
-                       ? SHAPE_BODY_none
-                       : SHAPE_BODY_closed;
-    if (!displaced_make(b->store, b->scene, &b->options, b->scene->objects[0].mesh, &b->displaced))
-        fail_msg("%s", b->gl->error);
-    displaced_delete(&before);
-}
-
-/* One context for all: its programs take longer to compile than all else. */
-typedef struct {
-    GlContext *gl;
-    Store *store;
-    Bisected kept[2]; /* so that programs of both materials stay */
-} Fixture;
-
-static Bisected begin(const Fixture *with, const char *how, const char *object)
-{
-    Bisected b = {.gl = with->gl, .store = with->store, .options = frame_exact_options()};
-    b.scene = open_scene(how, object, &b.options, &b.document);
-    make_fresh(&b);
-    return b;
-}
-
-static void end(Bisected *b)
-{
-    displaced_delete(&b->displaced);
-    mesh_delete(b->gl, &b->mesh);
-    frame_forget(b->scene, b->document);
-}
-
-static int open_all(void **state)
-{
-    Fixture *with = calloc(1, sizeof *with);
-    with->gl = frame_context();
-    with->store = store_new(with->gl);
-    if (!with->store || !displaced_there(with->gl, WORD_Displacing_bisection))
-        return -1;
-    for (int i = 0; i < 2; i++)
-        with->kept[i] = begin(with, "pixels: 1, triangles: 1000", bodies[2 + i]);
-    *state = with;
-    return 0;
-}
-
-static int close_all(void **state)
-{
-    Fixture *with = *state;
-    for (int i = 0; i < 2; i++)
-        end(&with->kept[i]);
-    store_free(with->store);
-    gl_close(with->gl);
-    free(with);
-    return 0;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
-    return (x > y) - (x < y);
-}
-
-/* Sorted; from malloc. */
-static uint64_t *leaves_of(Bisected *b, int *count)
-{
-    const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}, {0}};
-    if (!displaced_write(&b->displaced, &view, &b->mesh))
-        fail_msg("%s", b->gl->error);
-    uint64_t *leaves = displaced_bisection_leaves(&b->displaced, count);
-    assert_non_null(leaves);
-    qsort(leaves, (size_t)*count, sizeof *leaves, by_value);
-    return leaves;
-}
-
-/* How many of either are not in the other. */
-static int others(const uint64_t *a, int a_count, const uint64_t *b, int b_count)
-{
-    int i = 0, k = 0, count = 0;
-    while (i < a_count || k < b_count) {
-        const bool has_a = i < a_count, has_b = k < b_count;
-        count += !(has_a && has_b && a[i] == b[k]);
-        const bool take_a = has_a && (!has_b || a[i] <= b[k]), take_b = has_b && (!has_a || b[k] <= a[i]);
-        i += take_a;
-        k += take_b;
-    }
-    return count;
-}
+enum { EDGE = BISECTION_BODY_EDGE, PIXELS = EDGE * EDGE };
 
 /* What stands at the edge of what may be is decided by rounding: a few of thousands. */
 static void triangles_are_those_of_the_processor(void **state)
@@ -162,24 +25,24 @@ static void triangles_are_those_of_the_processor(void **state)
         char how[80];
         int counts[2];
         snprintf(how, sizeof how, "pixels: %g, triangles: %d", rows[i].pixels, rows[i].triangles);
-        Bisected b = begin(*state, how, bodies[rows[i].body]);
-        look_from(&b.scene->camera, 1, 8, rows[i].distance);
+        BisectionBody b = bisection_body_begin(*state, how, bisection_bodies[rows[i].body]);
+        bisection_body_look(&b.scene->camera, 1, 8, rows[i].distance);
         if (scene_vector_dot(rows[i].lamp, rows[i].lamp) > 0) {
             b.scene->lights[0].kind = SCENE_Point;
             memcpy(b.scene->lights[0].position, rows[i].lamp, sizeof rows[i].lamp);
         }
-        uint64_t *found = leaves_of(&b, &counts[0]),
+        uint64_t *found = bisection_body_leaves(&b, &counts[0]),
                  *wanted = bisection_reference(
                      &(BisectionReference){b.scene, &b.options, b.mesh.body != SHAPE_BODY_none}, &counts[1]);
-        qsort(wanted, (size_t)counts[1], sizeof *wanted, by_value);
-        const int apart = others(found, counts[0], wanted, counts[1]);
+        bisection_body_sort(wanted, counts[1]);
+        const int apart = bisection_body_others(found, counts[0], wanted, counts[1]);
         print_message("%zu: %d triangles, %d by the processor; %d in one of both alone\n", i, counts[0], counts[1],
                       apart);
         assert_true(counts[0] > 200 && apart <= 2 + counts[0] / 100);
         assert_true(displaced_bisection_cost(&b.displaced).pixels == rows[i].pixels);
         free(found);
         free(wanted);
-        end(&b);
+        bisection_body_end(&b);
     }
 }
 
@@ -196,16 +59,16 @@ static void assert_whole(const uint64_t *leaves, int count, int bases)
 static void the_way_does_not_matter(void **state)
 {
     static const double distances[] = {8, 1.4, 30, 1.1, 2, 1.2, 1.25, 1.3};
-    for (int body = 0; body < BODIES; body += 2) {
-        Bisected b =
-            begin(*state, body == 2 ? "pixels: 0.5, triangles: 1500" : "pixels: 2, triangles: 4000", bodies[body]);
+    for (int body = 0; body < BISECTION_BODIES; body += 2) {
+        BisectionBody b = bisection_body_begin(
+            *state, body == 2 ? "pixels: 0.5, triangles: 1500" : "pixels: 2, triangles: 4000", bisection_bodies[body]);
         SceneCamera views[8];
         uint64_t *leaves[8];
         int counts[8], splits = 0, merges = 0, fewer = 0;
         for (int i = 0; i < 8; i++) {
-            look_from(&b.scene->camera, i < 5 ? i : 4, 8, distances[i]);
+            bisection_body_look(&b.scene->camera, i < 5 ? i : 4, 8, distances[i]);
             views[i] = b.scene->camera;
-            leaves[i] = leaves_of(&b, &counts[i]);
+            leaves[i] = bisection_body_leaves(&b, &counts[i]);
             const DisplacedBisectionCost cost = displaced_bisection_cost(&b.displaced);
             splits += cost.splits;
             merges += cost.merges;
@@ -219,46 +82,46 @@ static void the_way_does_not_matter(void **state)
         assert_true(splits > 100 && merges > 100);
         for (int i = 0; i < 8; i++) {
             int count;
-            make_fresh(&b);
+            bisection_body_fresh(&b);
             b.scene->camera = views[i];
-            uint64_t *fresh = leaves_of(&b, &count);
-            assert_int_equal(others(fresh, count, leaves[i], counts[i]), 0);
+            uint64_t *fresh = bisection_body_leaves(&b, &count);
+            assert_int_equal(bisection_body_others(fresh, count, leaves[i], counts[i]), 0);
             free(fresh);
             free(leaves[i]);
         }
-        end(&b);
+        bisection_body_end(&b);
     }
 }
 
 /* Entries of the table are told from those of 255 looks ago. */
 static void old_looks_are_forgotten(void **state)
 {
-    Bisected b = begin(*state, "pixels: 12, triangles: 1500", bodies[2]);
+    BisectionBody b = bisection_body_begin(*state, "pixels: 12, triangles: 1500", bisection_bodies[2]);
     int count = 0, fresh_count = 0;
     for (int view = 0; view < 260; view++) {
-        look_from(&b.scene->camera, view % 7, 8, view % 2 ? 1.6 : 5);
-        free(leaves_of(&b, &count));
+        bisection_body_look(&b.scene->camera, view % 7, 8, view % 2 ? 1.6 : 5);
+        free(bisection_body_leaves(&b, &count));
     }
-    uint64_t *leaves = leaves_of(&b, &count);
-    make_fresh(&b);
-    uint64_t *fresh = leaves_of(&b, &fresh_count);
-    assert_true(count > 12 && !others(fresh, fresh_count, leaves, count));
+    uint64_t *leaves = bisection_body_leaves(&b, &count);
+    bisection_body_fresh(&b);
+    uint64_t *fresh = bisection_body_leaves(&b, &fresh_count);
+    assert_true(count > 12 && !bisection_body_others(fresh, fresh_count, leaves, count));
     free(fresh), free(leaves);
-    end(&b);
+    bisection_body_end(&b);
 }
 
-/* 64 cameras, near and far, of bodies with hard edges, seams and poles, one after the other in place. */
+/* 64 cameras, near and far, of bisection_bodies with hard edges, seams and poles, one after the other in place. */
 static void each_side_has_another(void **state)
 {
     static const double distances[] = {1.1, 1.7, 2.2, 20};
     long triangles = 0;
-    for (int body = 1; body < BODIES; body++) {
-        Bisected b = begin(*state, "pixels: 3, triangles: 2000", bodies[body]);
+    for (int body = 1; body < BISECTION_BODIES; body++) {
+        BisectionBody b = bisection_body_begin(*state, "pixels: 3, triangles: 2000", bisection_bodies[body]);
         for (int view = 0; view < 16; view++) {
             Shape shape;
             int count;
-            look_from(&b.scene->camera, view, 16, distances[view % 4]);
-            free(leaves_of(&b, &count));
+            bisection_body_look(&b.scene->camera, view, 16, distances[view % 4]);
+            free(bisection_body_leaves(&b, &count));
             assert_true(displaced_read(&b.displaced, &b.mesh, &shape));
             assert_int_equal(shape.index_count, 3 * count);
             if (shape_body(&shape) == SHAPE_BODY_none)
@@ -266,7 +129,7 @@ static void each_side_has_another(void **state)
             triangles += count;
             shape_free(&shape);
         }
-        end(&b);
+        bisection_body_end(&b);
     }
     print_message("%ld triangles\n", triangles);
     assert_true(triangles > 20000);
@@ -285,7 +148,7 @@ static int differing(const float *a, const float *b)
 static void pictures_are_those_of_meshes(void **state)
 {
     const MatcOptions options = frame_exact_options();
-    const Fixture *with = *state;
+    const BisectionBodies *with = *state;
     char text[4000];
     float *light[4];
     static const char *const how[] = {"method: mesh, level: 48", "method: bisection, pixels: 0.15, triangles: 60000",
@@ -297,7 +160,7 @@ static void pictures_are_those_of_meshes(void **state)
             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n%s"
             "displacement: { %s }\nlights: [{ light: Directional, direction: [1, 0.6, -1], shadows: exact "
             "}]\nobjects:\n%s",
-            EDGE, EDGE, materials, how[k], bodies[2]);
+            EDGE, EDGE, bisection_body_materials, how[k], bisection_bodies[2]);
         Scene *scene = frame_scene(text, &options, &document);
         const RenderOptions draw = {.compile = &options, .view = "light"};
         Render *render = render_open(with->gl, &draw);
@@ -305,7 +168,7 @@ static void pictures_are_those_of_meshes(void **state)
         assert_true(render && render_scene(render, scene) && render_frame(render));
         if (k == 1) {
             const SceneCamera camera = scene->camera;
-            look_from(&scene->camera, 3, 8, 1.5);
+            bisection_body_look(&scene->camera, 3, 8, 1.5);
             assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render));
             scene->camera = camera;
             assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render));
@@ -326,7 +189,7 @@ static void pictures_are_those_of_meshes(void **state)
 static void shadows_are_those_of_meshes(void **state)
 {
     const MatcOptions options = frame_exact_options();
-    const Fixture *with = *state;
+    const BisectionBodies *with = *state;
     static const char *const how[] = {"method: mesh, level: 24", "method: bisection, pixels: 0.2, triangles: 30000",
                                       "method: bisection, pixels: 1.6, triangles: 30000"};
     float *light[6]; /* of three meshes, by a lamp that is far away and one that is near */
@@ -339,7 +202,7 @@ static void shadows_are_those_of_meshes(void **state)
                  "displacement: { %s }\nlights: [{ light: Point, position: [-40, 0, 40], intensity: 50000, shadows: "
                  "exact }]\nobjects:\n%s- { object: Parallelogram, u: [20, 0, 0], v: [0, 20, 0], material: floor, "
                  "transform: { translation: [-10, -10, -4] } }\n",
-                 EDGE, EDGE, materials, how[k], bodies[1]);
+                 EDGE, EDGE, bisection_body_materials, how[k], bisection_bodies[1]);
         Scene *scene = frame_scene(text, &options, &document);
         Render *render = render_open(with->gl, &(RenderOptions){.compile = &options, .view = "light"});
         assert_true(render && render_scene(render, scene) && render_frame(render));
@@ -373,10 +236,10 @@ static void shadows_are_those_of_meshes(void **state)
 static void others_get_meshes(void **state)
 {
     const MatcOptions options = frame_exact_options();
-    const Fixture *with = *state;
+    const BisectionBodies *with = *state;
     MatcDocument *document;
     PFNGLDISPATCHCOMPUTEINDIRECTPROC had = with->gl->DispatchComputeIndirect;
-    Scene *scene = open_scene("pixels: 1, triangles: 3000", bodies[2], &options, &document);
+    Scene *scene = bisection_body_scene("pixels: 1, triangles: 3000", bisection_bodies[2], &options, &document);
     with->gl->DispatchComputeIndirect = NULL;
     free(frame_floats(with->gl, scene, &(RenderOptions){.compile = &options, .view = "light"}));
     const SceneMesh *mesh = &scene->meshes[scene->objects[0].mesh];
@@ -396,5 +259,5 @@ int main(void)
         cmocka_unit_test(shadows_are_those_of_meshes),
         cmocka_unit_test(others_get_meshes),
     };
-    return cmocka_run_group_tests(tests, open_all, close_all);
+    return cmocka_run_group_tests(tests, bisection_bodies_open, bisection_bodies_close);
 }

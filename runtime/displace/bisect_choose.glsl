@@ -6,7 +6,7 @@ void bisectStage()
         return;
     uint slot = bisect_work[bisectWord(LIST_WANTED + swapped, i)], at = slot;
     Leaf leaf = bisectLeaf(bisect_leaves[slot]);
-    if (leaf.number == 0u || (bisect_work[bisectWord(LIST_FLAGS, slot)] & FLAG_MERGED) != 0u)
+    if (leaf.number == 0u || (bisect_work[bisectWord(LIST_FLAGS, slot)] & FLAG_WANTED) == 0u)
         return;
     for (;;) {
         Ring ring = bisectRing(leaf.base, leaf.number, bisectCorners(leaf.base, leaf.number));

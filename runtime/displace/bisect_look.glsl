@@ -1,24 +1,37 @@
-// Looks at each leaf: it is to be bisected, or with its sibling to become its parent; and what there is comes into the table.
-void main()
+// Looks at leaves: each is to be bisected, or with its sibling to become its parent. A fresh look puts what there is into the table, and places that are free into their list; else both are there.
+uniform int bisect_fresh;
+
+void bisectStage()
 {
-    uint slot = gl_GlobalInvocationID.x;
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= BISECT_TILE * bisect_work[CHOSEN])
+        return;
+    uint slot = BISECT_TILE * bisect_work[bisectWord(LIST_CHOSEN, i / BISECT_TILE)] + i % BISECT_TILE;
     if (slot >= bisect_work[HIGH])
         return;
     uvec2 bits = bisect_leaves[slot];
     Leaf leaf = bisectLeaf(bits);
-    uint flags = 0u;
+    uint at = bisectWord(LIST_FLAGS, slot), had = bisect_fresh != 0 ? 0u : bisect_work[at] & FLAG_LESS, flags = 0u;
     if (leaf.number == 0u) {
-        bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_work[FREE], 1u))] = slot;
+        if (bisect_fresh != 0)
+            bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_work[FREE], 1u))] = slot;
     } else {
+        BisectBase base = bisectBase(leaf.base);
         Corners t = bisectCorners(leaf.base, leaf.number);
-        bisectInsert(uvec2(bits.x, bits.y & 255u), slot);
-        if (bisectWants(leaf.base, leaf.number, t, leaf.own)) {
+        if (bisect_fresh != 0)
+            bisectInsert(uvec2(bits.x, bits.y & 255u), slot);
+        float own = bisectWants(base, leaf.base, leaf.number, t, leaf.own), parent = BISECT_SURE;
+        if ((leaf.number & 1u) == 0u)
+            parent = bisectWants(base, leaf.base, leaf.number >> 1, bisectParent(leaf.number, t), leaf.behind);
+        bisectDue(slot, min(abs(own), abs(parent)));
+        if (own > 0.0) {
+            flags = FLAG_WANTED;
             bisect_work[bisectWord(LIST_WANTED, atomicAdd(bisect_work[WANTED], 1u))] = slot;
-        } else if ((leaf.number & 1u) == 0u &&
-                   !bisectWants(leaf.base, leaf.number >> 1, bisectParent(leaf.number, t), leaf.behind)) {
-            flags = FLAG_LESS;
-            bisect_work[bisectWord(LIST_MERGING, atomicAdd(bisect_work[MERGING], 1u))] = slot;
+        } else if (parent <= 0.0) {
+            flags = had == 0u ? FLAG_LESS | FLAG_ASKED : FLAG_LESS;
+            if (had == 0u) // else it waits for one of its ring, which is asked when it need not be bisected any more
+                bisect_work[bisectWord(LIST_MERGING, atomicAdd(bisect_work[MERGING], 1u))] = slot;
         }
     }
-    bisect_work[bisectWord(LIST_FLAGS, slot)] = flags;
+    bisect_work[at] = flags;
 }

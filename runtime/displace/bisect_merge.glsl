@@ -8,6 +8,13 @@ bool bisectMay(uint base, uint number)
            bisectFind(base, 2u * number + 1u) != BISECT_NONE;
 }
 
+// Once, whoever says so.
+void bisectTake(uint slot)
+{
+    if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, slot)], FLAG_CHOSEN) & FLAG_CHOSEN) == 0u)
+        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_work[CHOSEN], 1u))] = slot;
+}
+
 // Who cannot leaves the list. It is asked again when another of its ring has become a leaf, and else never.
 void bisectStage()
 {
@@ -24,9 +31,15 @@ void bisectStage()
         bisectMember(ring, n, base, other);
         may = bisectMay(base, other);
     }
-    bisect_work[bisectWord(LIST_FLAGS, slot)] &= ~FLAG_ASKED;
-    if (may)
-        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_work[CHOSEN], 1u))] = slot;
+    atomicAnd(bisect_work[bisectWord(LIST_FLAGS, slot)], ~FLAG_ASKED);
+    if (!may)
+        return;
+    bisectTake(slot);
+    for (uint n = 0u; n < ring.count; n++) { // who has waited is in no list
+        uint base = leaf.base, other;
+        bisectMember(ring, n, base, other);
+        bisectTake(bisectFind(base, 2u * other));
+    }
 }
 #else
 // Second stage, of each that can: its first child's place is its own from now on, and its second child's is free.
@@ -63,12 +76,15 @@ void bisectStage()
         bisect_rows[from + BISECT_ROW] = bisect_rows[from + 2u * BISECT_ROW] = bisect_rows[from]; // it has no area
     }
     Corners t = bisectCorners(leaf.base, leaf.number), parent = bisectParent(leaf.number, t);
-    bool even = (leaf.number & 1u) == 0u,
-         less = leaf.number > 1u && even && !bisectWants(leaf.base, leaf.number >> 1, parent, leaf.behind);
+    BisectBase at = bisectBase(leaf.base);
+    bool even = (leaf.number & 1u) == 0u;
+    float wants = even ? bisectWants(at, leaf.base, leaf.number >> 1, parent, leaf.behind) : BISECT_SURE;
+    bool less = wants <= 0.0;
+    bisectDue(slot, min(abs(bisectWants(at, leaf.base, leaf.number, t, leaf.own)), abs(wants)));
     bisect_leaves[slot] = bisectPack(leaf);
     bisect_leaves[other] = uvec2(0u);
-    bisect_work[bisectWord(LIST_FLAGS, slot)] = FLAG_MERGED | (less ? FLAG_LESS | FLAG_ASKED : 0u);
-    bisect_work[bisectWord(LIST_FLAGS, other)] = FLAG_MERGED;
+    bisect_work[bisectWord(LIST_FLAGS, slot)] = less ? FLAG_LESS | FLAG_ASKED : 0u;
+    bisect_work[bisectWord(LIST_FLAGS, other)] = 0u;
     bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_work[FREE], 1u))] = other;
     memoryBarrierBuffer(); // who finds it has its flags
     bisectInsert(bisectId(leaf.base, leaf.number), slot);

@@ -1,26 +1,28 @@
 // Between two stages, by one thread: lists that were written are read next, and how many groups of threads that takes. First leaves merge, as long as any can; then others are bisected.
-// BISECT_STEP: 0: leaves were looked at; 1, 3: of those to merge, to bisect some were chosen; 2, 4: and are done. That is a dispatch of its own after 0; else the last thread of the stage does it,
+// BISECT_STEP: 0: leaves were looked at; 1, 3: of those to merge, to bisect some were chosen; 2, 4: and are done; 5: tiles were chosen. The last thread of the stage does it,
 // since a dispatch takes a driver longer than a round of few triangles: whoever counts itself in as the last, after all that the others wrote.
 
-uint bisectGroups(uint count)
+// Groups of threads, for so many tasks, of which a group has so many.
+void bisectSet(uint groups, uint count, uint each)
 {
-    return max((count + 63u) / 64u, 1u); // one at least: its last thread goes on
-}
-
-void bisectSet(uint groups, uint count)
-{
-    bisect_work[groups] = bisectGroups(count);
+    bisect_work[groups] = max((count + each - 1u) / each, 1u); // one at least: its last thread goes on
     bisect_work[groups + 1u] = bisect_work[groups + 2u] = 1u;
 }
 
 void bisectNext()
 {
     uint chosen = bisect_work[CHOSEN];
+    if (BISECT_STEP == 5) {
+        bisectSet(GROUPS, BISECT_TILE * chosen, 64u);
+        return;
+    }
+    if (BISECT_STEP == 0)
+        bisect_work[LOOKED] = chosen;
     if (BISECT_STEP == 1 || BISECT_STEP == 3) {
         uint live = bisect_work[HIGH] - bisect_work[FREE];
         if (BISECT_STEP == 3 && live + chosen > uint(bisect_room))
             bisect_work[FULL] = 1u;
-        bisectSet(GROUPS_CHOSEN, bisect_work[FULL] != 0u ? 0u : chosen);
+        bisectSet(GROUPS_CHOSEN, bisect_work[FULL] != 0u ? 0u : chosen, BISECT_STEP == 3 ? BISECT_SPLITS : 64u);
         return;
     }
     bool merging = bisect_work[MERGED_ALL] == 0u;
@@ -41,19 +43,15 @@ void bisectNext()
         bisect_work[SWAPPED] = 0u; // wanted leaves are in the first of their lists still
     }
     bisect_work[CHOSEN] = bisect_work[MERGING_NEXT] = bisect_work[WANTED_NEXT] = 0u;
-    bisectSet(GROUPS, bisect_work[FULL] != 0u ? 0u : bisect_work[bisect_work[MERGED_ALL] != 0u ? WANTED : MERGING]);
+    bisectSet(GROUPS, bisect_work[FULL] != 0u ? 0u : bisect_work[bisect_work[MERGED_ALL] != 0u ? WANTED : MERGING], 64u);
 }
 
 void main()
 {
-#if BISECT_STEP == 0
-    bool last = gl_GlobalInvocationID.x == 0u;
-#else
     bisectStage();
     memoryBarrierBuffer();
     bool last = atomicAdd(bisect_work[DONE], 1u) == 64u * gl_NumWorkGroups.x - 1u;
     memoryBarrierBuffer();
-#endif
     if (last) {
         bisect_work[DONE] = 0u;
         bisectNext();

@@ -13,38 +13,47 @@ vec3 bisectWeights(ivec3 weights)
     return vec3(weights) / float(BISECT_WHOLE);
 }
 
-// The worst part's distance, in the mean square over four points, the middles of its grandchildren, from where they are moved to, to the plane of the triangle. `p` are its corners in the world,
-// as they are moved. Where the surface jumps, a plane that is as steep as the jump is near it: a triangle is off by no more than it is wide.
-uint bisectDeviates(uint base, uint number, Corners t, mat3 p)
+// Of a triangle's points, the four that are asked how far they are from its plane: the middles of its grandchildren.
+const vec3 bisect_asked[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0, vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
+
+// How much deeper than the triangle its parts are, of which the worst counts; 0 where it is bisected whatever it is.
+int bisectDeeper(uint number)
 {
-    const vec3 points[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0, vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
-    int deeper = max(bisect_even - findMSB(number), 0);
-    if (findMSB(number) < bisect_coarse)
-        return bisectCode(1e30); // it is bisected whatever it is
-    vec3 across = cross(p[1] - p[0], p[2] - p[0]);
-    float area = length(across);
-    vec3 normal = area > 0.0 ? across / area : vec3(0.0);
-    mat3 corners = mat3(bisectWeights(t.a), bisectWeights(t.b), bisectWeights(t.c));
-    float most = 0.0;
-    for (uint part = 1u << deeper; part < 2u << deeper; part++) {
-        vec3 a = vec3(1.0, 0.0, 0.0), b = vec3(0.0, 1.0, 0.0), c = vec3(0.0, 0.0, 1.0);
-        for (int bit = deeper - 1; bit >= 0; bit--) {
-            vec3 m = (a + b) / 2.0, x = a;
-            bool second = (part >> bit & 1u) != 0u;
-            a = second ? b : c;
-            b = second ? c : x;
-            c = m;
-        }
-        float sum = 0.0;
-        for (int i = 0; i < 4; i++) {
-            vec3 at = mat3(a, b, c) * points[i];
-            vec3 off = bisectMoved(base, corners * at) - p * at;
-            float away = area > 0.0 ? dot(off, normal) : length(off);
-            sum += away * away;
-        }
-        most = max(most, sum / 4.0);
+    int depth = findMSB(number);
+    return depth < bisect_coarse ? 0 : max(bisect_even - depth, 0);
+}
+
+// The corners of a part, by the triangle's; which part it is is said as numbers of triangles say it, from 1 << deeper on.
+mat3 bisectPartOf(uint part, int deeper)
+{
+    vec3 a = vec3(1.0, 0.0, 0.0), b = vec3(0.0, 1.0, 0.0), c = vec3(0.0, 0.0, 1.0);
+    for (int bit = deeper - 1; bit >= 0; bit--) {
+        vec3 m = (a + b) / 2.0, x = a;
+        bool second = (part >> bit & 1u) != 0u;
+        a = second ? b : c;
+        b = second ? c : x;
+        c = m;
     }
-    return bisectCode(sqrt(most));
+    return mat3(a, b, c);
+}
+
+mat3 bisectWeightsOf(Corners t)
+{
+    return mat3(bisectWeights(t.a), bisectWeights(t.b), bisectWeights(t.c));
+}
+
+// The square of how far it is from the plane of a triangle, whose corners are `p`, at whose point it would be. Where that has no area, it is from the point.
+float bisectSquare(vec3 moved, vec3 at, mat3 p)
+{
+    vec3 across = cross(p[1] - p[0], p[2] - p[0]), off = moved - p * at;
+    float area = length(across), away = area > 0.0 ? dot(off, across / area) : length(off);
+    return away * away;
+}
+
+// A triangle's error, from the mean square of its worst part. Where the surface jumps, a plane that is as steep as the jump is near it: a triangle is off by no more than it is wide.
+uint bisectError(uint number, float square)
+{
+    return bisectCode(findMSB(number) < bisect_coarse ? 1e30 : sqrt(square)); // it is bisected whatever it is
 }
 
 uint bisectRow(uint slot, uint corner)
@@ -130,46 +139,127 @@ void main()
         p[k] = bisectMoved(base, bisectWeights(k == 0 ? t.a : k == 1 ? t.b : t.c));
         bisectPutDisplaced(bisectRow(base, uint(k)));
     }
-    bisect_leaves[base] = bisectPack(Leaf(base, 1u, bisectDeviates(base, 1u, t, p), 0u));
+    int deeper = bisectDeeper(1u);
+    float most = 0.0;
+    for (uint part = 1u << deeper; part < 2u << deeper; part++) {
+        float sum = 0.0;
+        for (int i = 0; i < 4; i++) {
+            vec3 at = bisectPartOf(part, deeper) * bisect_asked[i];
+            sum += bisectSquare(bisectMoved(base, bisectWeightsOf(t) * at), at, p);
+        }
+        most = max(most, sum / 4.0);
+    }
+    bisect_leaves[base] = bisectPack(Leaf(base, 1u, bisectError(1u, most), 0u));
 }
 #else
 // A leaf is there: it comes into the table, and is asked.
-void bisectMade(uint slot, Leaf leaf, Corners t)
+void bisectMade(BisectBase base, uint slot, Leaf leaf, Corners t, float parent)
 {
+    float own = bisectWants(base, leaf.base, leaf.number, t, leaf.own);
     bisect_leaves[slot] = bisectPack(leaf);
-    bisect_work[bisectWord(LIST_FLAGS, slot)] = 0u;
+    bisect_work[bisectWord(LIST_FLAGS, slot)] = own > 0.0 ? FLAG_WANTED : parent <= 0.0 ? FLAG_LESS : 0u;
     bisectInsert(bisectId(leaf.base, leaf.number), slot);
-    if (bisectWants(leaf.base, leaf.number, t, leaf.own))
+    bisectDue(slot, min(abs(own), abs(parent)));
+    if (own > 0.0)
         bisect_work[bisectWord(LIST_WANTED + 1u - bisect_work[SWAPPED], atomicAdd(bisect_work[WANTED_NEXT], 1u))] = slot;
 }
 
-void bisectStage()
+// Points of one that is bisected: the middle, four in each child, and its corners as they were.
+const uint SPLIT_MIDDLE = 0u, SPLIT_ASKED = 1u, SPLIT_CORNERS = 9u, SPLIT_POINTS = 12u;
+shared vec3 split_points[SPLIT_POINTS * BISECT_SPLITS];
+shared float split_worst[2u * BISECT_SPLITS]; // of children that count as their worst part
+shared uint split_places[BISECT_SPLITS];
+
+Corners bisectChild(Corners t, uint child)
 {
-    uint i = gl_GlobalInvocationID.x, chosen = bisect_work[CHOSEN];
-    if (i >= chosen || bisect_work[FULL] != 0u)
-        return;
-    uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)], free = atomicAdd(bisect_work[FREE], 0xFFFFFFFFu);
-    uint place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)] : atomicAdd(bisect_work[HIGH], 1u);
-    Leaf leaf = bisectLeaf(bisect_leaves[slot]);
-    Corners t = bisectCorners(leaf.base, leaf.number);
-    ivec3 middle = (t.a + t.b) / 2;
+    return Corners(child == 0u ? t.c : t.b, child == 0u ? t.a : t.c, (t.a + t.b) / 2);
+}
+
+mat3 bisectChildPoints(uint at, uint child)
+{
+    return mat3(split_points[at + SPLIT_CORNERS + 2u - child], split_points[at + SPLIT_CORNERS + 2u * child], split_points[at + SPLIT_MIDDLE]);
+}
+
+// (a, b, c) becomes (c, a, m) and (b, c, m): rows of all but m, and the corners' points.
+void bisectCopyRows(uint slot, uint place, uint points)
+{
     uint first = bisectRow(slot, 0u), second = bisectRow(place, 0u);
-    vec3 a = bisectWorld(first), b = bisectWorld(first + BISECT_ROW), c = bisectWorld(first + 2u * BISECT_ROW);
-    for (uint k = 0u; k < BISECT_ROW; k++) { // (a, b, c) to (c, a, m) and (b, c, m)
+    for (uint k = 0u; k < 3u; k++)
+        split_points[points + SPLIT_CORNERS + k] = bisectWorld(first + k * BISECT_ROW);
+    for (uint k = 0u; k < BISECT_ROW; k++) {
         float x = bisect_rows[first + k], y = bisect_rows[first + BISECT_ROW + k], z = bisect_rows[first + 2u * BISECT_ROW + k];
         bisect_rows[first + k] = bisect_rows[second + BISECT_ROW + k] = z;
         bisect_rows[first + BISECT_ROW + k] = x;
         bisect_rows[second + k] = y;
     }
-    vec3 moved = bisectMoved(leaf.base, bisectWeights(middle));
-    bisectPutDisplaced(first + 2u * BISECT_ROW);
-    bisectPutDisplaced(second + 2u * BISECT_ROW);
-    for (uint child = 0u; child < 2u; child++) { // a loop, so that a driver has the height but once
-        bool last = child == 1u;
-        Corners made = Corners(last ? t.b : t.c, last ? t.c : t.a, middle);
-        uint number = 2u * leaf.number + child,
-             own = min(leaf.own, bisectDeviates(leaf.base, number, made, mat3(last ? b : c, last ? c : a, moved)));
-        bisectMade(last ? place : slot, Leaf(leaf.base, number, own, last ? leaf.behind : leaf.own), made);
+}
+
+// Displaces points of it: the middle, whose rows are written, and what both children are asked at. Where these count as their worst parts, one thread asks all of them.
+void bisectDisplace(uint lane, uint at, uint slot, uint place, Leaf leaf, Corners t)
+{
+    int deeper = bisectDeeper(2u * leaf.number);
+    uint parts = 1u << deeper, count = deeper == 0 ? SPLIT_CORNERS : lane == 0u ? 1u + 8u * parts : 0u;
+    float sum = 0.0, most = 0.0;
+    for (uint point = lane; point < count; point += deeper == 0 ? BISECT_LANES : 1u) { // a driver has the height but once
+        uint asked = point - 1u, child = asked / (4u * parts);
+        vec3 inside = bisectPartOf(asked / 4u % parts | parts, deeper) * bisect_asked[asked % 4u];
+        vec3 moved = bisectMoved(leaf.base, point == 0u ? bisectWeights((t.a + t.b) / 2) : bisectWeightsOf(bisectChild(t, child)) * inside);
+        if (point == 0u) {
+            bisectPutDisplaced(bisectRow(slot, 2u));
+            bisectPutDisplaced(bisectRow(place, 2u));
+        }
+        if (point == 0u || deeper == 0) {
+            split_points[at + point] = moved;
+            continue;
+        }
+        sum = asked % 4u == 0u ? 0.0 : sum;
+        sum += bisectSquare(moved, inside, bisectChildPoints(at, child));
+        most = asked % (4u * parts) < 4u ? 0.0 : most;
+        most = max(most, asked % 4u == 3u ? sum / 4.0 : 0.0);
+        split_worst[at / SPLIT_POINTS * 2u + child] = most;
     }
+}
+
+void bisectMakeChild(uint child, uint at, uint slot, Leaf leaf, Corners t)
+{
+    uint number = 2u * leaf.number + child;
+    mat3 p = bisectChildPoints(at, child);
+    float square = 0.0;
+    for (int i = 0; i < 4; i++)
+        square += bisectSquare(split_points[at + SPLIT_ASKED + 4u * child + uint(i)], bisect_asked[i], p) / 4.0;
+    if (bisectDeeper(number) > 0)
+        square = split_worst[at / SPLIT_POINTS * 2u + child];
+    BisectBase base = bisectBase(leaf.base);
+    float wants = child == 0u ? bisectWants(base, leaf.base, leaf.number, t, leaf.own) : BISECT_SURE; // or one of its ring does
+    Leaf made = Leaf(leaf.base, number, min(leaf.own, bisectError(number, square)), child == 0u ? leaf.own : leaf.behind);
+    bisectMade(base, slot, made, bisectChild(t, child), wants);
+}
+
+void bisectStage()
+{
+    uint lane = gl_LocalInvocationIndex % BISECT_LANES, local = gl_LocalInvocationIndex / BISECT_LANES, i = BISECT_SPLITS * gl_WorkGroupID.x + local,
+         at = SPLIT_POINTS * local, slot = 0u, place = 0u;
+    bool there = local < BISECT_SPLITS && i < bisect_work[CHOSEN] && bisect_work[FULL] == 0u;
+    Leaf leaf;
+    Corners t;
+    if (there) {
+        slot = bisect_work[bisectWord(LIST_CHOSEN, i)];
+        leaf = bisectLeaf(bisect_leaves[slot]);
+        t = bisectCorners(leaf.base, leaf.number);
+        if (lane == 0u) {
+            uint free = atomicAdd(bisect_work[FREE], 0xFFFFFFFFu);
+            place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)] : atomicAdd(bisect_work[HIGH], 1u);
+            split_places[local] = place;
+            bisectCopyRows(slot, place, at);
+        }
+        bisectDisplace(lane, at, slot, place, leaf, t);
+    }
+#ifdef BISECT_WIDE
+    memoryBarrierShared();
+    barrier();
+#endif
+    if (there)
+        for (uint child = lane; child < 2u; child += BISECT_LANES)
+            bisectMakeChild(child, at, child == 0u ? slot : split_places[local], leaf, t);
 }
 #endif

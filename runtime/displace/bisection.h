@@ -16,12 +16,14 @@ enum {
     BISECTION_ROUNDS, /* of merging, of splitting */
     BISECTION_GROUPS = 16,
     BISECTION_GROUPS_CHOSEN = 20,
-    BISECTION_LIGHTS = 24, /* how many, and from the next on four words of each */
-    BISECTION_LIGHT = 28,
+    BISECTION_LIGHTS = 24, /* how many */
+    BISECTION_LOOKED,      /* tiles of places that were looked at */
+    BISECTION_LIGHT = 28,  /* four words of each */
     BISECTION_LIGHTS_MOST = 16,
     BISECTION_BOX = BISECTION_LIGHT + 4 * BISECTION_LIGHTS_MOST,
     BISECTION_HEAD = BISECTION_BOX + 6,
-    BISECTION_LISTS = 7
+    BISECTION_LISTS = 7,
+    BISECTION_TILE = 16 /* places that are looked at together: one word for these, behind the lists */
 };
 /* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what follows them is one farther. */
 enum {
@@ -34,11 +36,11 @@ enum {
     BISECTION_CORNERS = BISECTION_RANGES
 };
 typedef enum {
+    BISECTION_SCAN,
     BISECTION_LOOK,
     BISECTION_MERGE_CHOOSE,
     BISECTION_MERGE,
     BISECTION_CHOOSE,
-    BISECTION_NEXT,
     BISECTION_BEGIN,
     BISECTION_STAGES
 } BisectionStage;
@@ -57,8 +59,11 @@ typedef struct {
     int rounds[2];                          /* of merging and of splitting, that the last view took */
     int stamp;                              /* of entries of the table; 0: it has to be cleared */
     int coarser;                            /* fourths of an octave that an error may be larger */
+    double pixels;                          /* that an error could have when all leaves were looked at last; 0: they have to be */
+    double gone, entries;                   /* since then: how far the camera has moved, and what came into the table */
+    double box[2][3];                       /* around all points, wherever they may move; in the world */
     GLuint head[BISECTION_HEAD], head_copy; /* as it was read last; a buffer that it goes through */
-    int splits, merges, looks;              /* of the last view */
+    int splits, merges, looks, looked;      /* of the last view; places that were looked at */
     SceneCamera camera;
     int size[2];
     BisectionLights lights;
@@ -70,6 +75,8 @@ bool bisection_make(const DisplacedMaking *making, Displaced *made);
 void bisection_forget(Displaced *displaced);
 /* Room for so many leaves, and their corners in the mesh; those that there are stay. */
 bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
+/* Of the buffer of lists, for so many leaves. */
+size_t bisection_work_bytes(size_t places);
 /* Its shadows count. */
 bool bisection_casts(const SceneLight *light);
 /* A uniform of all stages. */

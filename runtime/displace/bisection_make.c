@@ -3,8 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-extern const char render_text_displace_point[], render_text_bisect[], render_text_bisect_look[],
-    render_text_bisect_merge[], render_text_bisect_choose[], render_text_bisect_split[], render_text_bisect_next[];
+extern const char render_text_displace_point[], render_text_bisect[], render_text_bisect_see[],
+    render_text_bisect_scan[], render_text_bisect_look[], render_text_bisect_merge[], render_text_bisect_choose[],
+    render_text_bisect_split[], render_text_bisect_next[];
 
 enum {
     CORNER_BYTES = 3 * sizeof(MeshCaptured),
@@ -48,26 +49,27 @@ static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisectio
 {
     static const char point[] = "#define DISPLACE_POINT\n#define DISPLACE_OUT\n";
     static const struct {
-        const char *define, *text, *next;
+        const char *define, *text;
     } stages[] = {
-        [BISECTION_LOOK] = {"\n", render_text_bisect_look, ""},
-        [BISECTION_MERGE_CHOOSE] = {"#define BISECT_CHOOSE\n#define BISECT_STEP 1\n", render_text_bisect_merge,
-                                    render_text_bisect_next},
-        [BISECTION_MERGE] = {"#define BISECT_STEP 2\n", render_text_bisect_merge, render_text_bisect_next},
-        [BISECTION_CHOOSE] = {"#define BISECT_STEP 3\n", render_text_bisect_choose, render_text_bisect_next},
-        [BISECTION_NEXT] = {"#define BISECT_STEP 0\n", render_text_bisect_next, ""},
+        [BISECTION_SCAN] = {"#define BISECT_STEP 5\n", render_text_bisect_scan},
+        [BISECTION_LOOK] = {"#define BISECT_STEP 0\n", render_text_bisect_look},
+        [BISECTION_MERGE_CHOOSE] = {"#define BISECT_CHOOSE\n#define BISECT_STEP 1\n", render_text_bisect_merge},
+        [BISECTION_MERGE] = {"#define BISECT_STEP 2\n", render_text_bisect_merge},
+        [BISECTION_CHOOSE] = {"#define BISECT_STEP 3\n", render_text_bisect_choose},
     };
-    const char *lights = lights_of(making->scene);
-    ProgramText split = {.compute = {displaced_version, lights, "#define BISECT_STEP 4\n", point, making->displace,
-                                     render_text_displace_point, render_text_bisect, render_text_bisect_split,
-                                     render_text_bisect_next}};
+    const char *lights = lights_of(making->scene),
+               *wide = store_context(making->store)->hardware ? "#define BISECT_WIDE\n" : "\n";
+    ProgramText split = {.compute = {displaced_version, lights, wide, "#define BISECT_STEP 4\n", point,
+                                     making->displace, render_text_displace_point, render_text_bisect,
+                                     render_text_bisect_see, render_text_bisect_split, render_text_bisect_next}};
     ProgramText begin = {.compute = {displaced_version, "#define BISECT_BEGIN\n", point, making->displace,
-                                     render_text_displace_point, render_text_bisect, render_text_bisect_split}};
+                                     render_text_displace_point, render_text_bisect, render_text_bisect_see,
+                                     render_text_bisect_split}};
     bool fine = displaced_program(making, &split, &made->material) &&
                 displaced_program(making, &begin, &b->stages[BISECTION_BEGIN]);
     for (int i = 0; fine && i < BISECTION_BEGIN; i++) {
-        const ProgramText text = {.compute = {displaced_version, lights, stages[i].define, render_text_bisect,
-                                              stages[i].text, stages[i].next}};
+        const ProgramText text = {.compute = {displaced_version, lights, wide, stages[i].define, render_text_bisect,
+                                              render_text_bisect_see, stages[i].text, render_text_bisect_next}};
         fine = material_make(making->store, NULL, &text, &b->stages[i]);
     }
     return fine;
@@ -123,7 +125,12 @@ static void grow_buffer(const GlContext *gl, GLuint buffer, size_t had, size_t b
     gl->DeleteBuffers(1, &kept);
 }
 
-/* A look and its rounds put at most five entries for each place into the table: one, one of who merges, two of who is bisected. */
+size_t bisection_work_bytes(size_t places)
+{
+    return sizeof(GLuint) * (BISECTION_HEAD + BISECTION_LISTS * places + places / BISECTION_TILE + 1);
+}
+
+/* A fresh look puts one entry for each place into the table, and rounds of a view one of who merges and two of who is bisected: its views end where no more than these are free. */
 bool bisection_room(Displaced *d, Mesh *mesh, int room)
 {
     Bisection *b = d->own;
@@ -132,10 +139,11 @@ bool bisection_room(Displaced *d, Mesh *mesh, int room)
     b->room = room;
     b->table_bits = bits_of(5 * places);
     b->stamp = 0;
+    b->pixels = 0;
     grow_buffer(gl, b->buffers[BISECTION_LEAVES], 2 * had * sizeof(GLuint), 2 * places * sizeof(GLuint));
     grow_buffer(gl, mesh->buffers[0], had * CORNER_BYTES, places * CORNER_BYTES);
     new_buffer(gl, b->buffers[BISECTION_TABLE], ((size_t)1 << b->table_bits) * sizeof(GLuint), NULL);
-    new_buffer(gl, b->buffers[BISECTION_WORK], (BISECTION_HEAD + BISECTION_LISTS * places) * sizeof(GLuint), NULL);
+    new_buffer(gl, b->buffers[BISECTION_WORK], bisection_work_bytes(places), NULL);
     bisection_set_number(d, "bisect_room", room);
     bisection_set_number(d, "bisect_tableBits", b->table_bits);
     return displaced_unshared(d, mesh, room);
@@ -158,6 +166,21 @@ int bisection_base_bits(const ScenePatches *patches)
     return bits > LEAST ? bits : LEAST;
 }
 
+static void find_box(const ScenePatches *patches, const float reach[3], double box[2][3])
+{
+    for (int i = 0; i < 3; i++) {
+        box[0][i] = INFINITY;
+        box[1][i] = -INFINITY;
+        for (int row = 0; row < patches->row_count; row++) {
+            double at = patches->world_from_local.m[12 + i];
+            for (int lane = 0; lane < 3; lane++)
+                at += patches->world_from_local.m[4 * lane + i] * (double)patches->rows[row].position[lane];
+            box[0][i] = fmin(box[0][i], at - (double)reach[i]);
+            box[1][i] = fmax(box[1][i], at + (double)reach[i]);
+        }
+    }
+}
+
 static void set_constants(Displaced *d)
 {
     const ScenePatches *patches = d->patches;
@@ -174,6 +197,7 @@ static void set_constants(Displaced *d)
     bisection_set_number(d, "bisect_coarse", even > PARTS_MOST ? even - PARTS_MOST : 0);
     bisection_set(d, "bisect_reach", 3, reach);
     Bisection *b = d->own;
+    find_box(patches, reach, b->box);
     b->ranged = even > RANGE_PARTS ? even - RANGE_PARTS : 0;
     bisection_set_number(d, "bisect_ranged", b->ranged);
     new_buffer(displaced_context(d), b->buffers[BISECTION_RANGES],

@@ -65,12 +65,13 @@ static void read_head(const Displaced *d)
     gl->GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof b->head, b->head);
 }
 
-static void write_head(const Displaced *d, GLuint high)
+static void write_head(const Displaced *d, GLuint high, GLuint free)
 {
     Bisection *b = d->own;
     const GlContext *gl = displaced_context(d);
     memset(b->head, 0, sizeof b->head);
     b->head[BISECTION_HIGH] = high;
+    b->head[BISECTION_FREE] = free;
     b->head[BISECTION_LIGHTS] = (GLuint)b->lights.count;
     memcpy(&b->head[BISECTION_LIGHT], b->lights.each, sizeof b->lights.each);
     memcpy(&b->head[BISECTION_BOX], b->lights.box, sizeof b->lights.box);
@@ -110,17 +111,32 @@ static void stamp_table(Displaced *d)
     b->stamp = (b->stamp + 1) % STAMPS;
 }
 
-/* All leaves are looked at; who can merges, who has to is bisected. False: there is no room for all. */
-static bool update(Displaced *d, GLuint high)
+/* Nothing is known of views before: all leaves come into a new table, and are looked at. */
+static void begin_anew(Displaced *d, double pixels)
 {
-    enum { MORE = 4, MOST = 16 };
     Bisection *b = d->own;
-    write_head(d, high);
     stamp_table(d);
+    b->pixels = pixels;
+    b->gone = b->entries = 0;
+}
+
+/* Leaves are looked at; who can merges, who has to is bisected. False: there is no room for all. */
+static bool update(Displaced *d)
+{
+    enum { MORE = 4, MOST = 16, ENTRIES = 4 /* for each place, that a view's rounds may put into the table */ };
+    Bisection *b = d->own;
+    const GLuint high = b->head[BISECTION_HIGH];
+    const double pixels = d->patches->pixels * exp2(b->coarser / 4.);
+    const bool fresh = b->pixels != pixels || b->entries > ldexp(1, b->table_bits) - (double)ENTRIES * b->room;
+    if (fresh)
+        begin_anew(d, pixels);
+    write_head(d, high, fresh ? 0 : b->head[BISECTION_FREE]);
     finish(displaced_context(d));
-    bisection_set_number(d, "bisect_pixels", d->patches->pixels * exp2(b->coarser / 4.));
-    dispatch(d, &b->stages[BISECTION_LOOK], high);
-    dispatch(d, &b->stages[BISECTION_NEXT], 1);
+    bisection_set_number(d, "bisect_pixels", pixels);
+    bisection_set_number(d, "bisect_fresh", fresh);
+    bisection_set_number(d, "bisect_gone", b->gone);
+    dispatch(d, &b->stages[BISECTION_SCAN], (high + BISECTION_TILE - 1) / BISECTION_TILE);
+    dispatch_counted(d, &b->stages[BISECTION_LOOK], BISECTION_GROUPS);
     b->looks++;
     int merging = b->rounds[0] + 1, splitting = b->rounds[1] + 1;
     do {
@@ -134,6 +150,10 @@ static bool update(Displaced *d, GLuint high)
         b->rounds[i] = (int)b->head[BISECTION_ROUNDS + i] < MOST ? (int)b->head[BISECTION_ROUNDS + i] : MOST;
     b->splits += (int)b->head[BISECTION_SPLITS];
     b->merges += (int)b->head[BISECTION_MERGES];
+    b->looked += BISECTION_TILE * (int)b->head[BISECTION_LOOKED];
+    b->entries += (fresh ? high : 0) + b->head[BISECTION_MERGES] + 2. * b->head[BISECTION_SPLITS];
+    if (b->head[BISECTION_FULL])
+        b->pixels = 0;
     return !b->head[BISECTION_FULL];
 }
 
@@ -142,7 +162,7 @@ static bool settle(Displaced *d, Mesh *mesh)
     Bisection *b = d->own;
     int enough = 0; /* no less than that */
     for (;;) {
-        const bool fits = update(d, b->head[BISECTION_HIGH]);
+        const bool fits = update(d);
         if (b->head[BISECTION_LOST])
             return gl_fail(displaced_context(d), "bisection lost a neighbour");
         if (!fits && b->room < b->most) {
@@ -161,6 +181,21 @@ static bool settle(Displaced *d, Mesh *mesh)
 
 /* -- views */
 
+/* Normals of the sides of what a camera sees, and of its front, of length 1. */
+static void find_sides(const SceneCamera *camera, const int size[2], double normals[5][3])
+{
+    const double shorter = size[0] < size[1] ? size[0] : size[1];
+    for (int side = 0; side < 5; side++) {
+        const double reach = camera->half * size[side / 2 % 2] / shorter, way = side % 2 ? 1 : -1;
+        const double back = side == 4 ? 1 : camera->kind == SCENE_Orthographic ? 0 : reach;
+        const double length = sqrt(side == 4 ? 1 : 1 + back * back);
+        for (int i = 0; i < 3; i++)
+            normals[side][i] =
+                ((side == 4 ? 0 : way * (side / 2 ? camera->up[i] : camera->right[i])) - back * camera->back[i]) /
+                length;
+    }
+}
+
 static void set_plane(const double normal[3], const double at[3], double offset, float plane[4])
 {
     plane[3] = (float)offset;
@@ -176,14 +211,12 @@ static void set_view(Displaced *d, const DisplacedView *view, const Mesh *mesh)
     const double shorter = view->size[0] < view->size[1] ? view->size[0] : view->size[1];
     const bool parallel = camera->kind == SCENE_Orthographic;
     float sides[16], front[4], eye[4];
-    for (int side = 0; side < 4; side++) {
-        const double reach = camera->half * view->size[side / 2] / shorter, way = side % 2 ? 1 : -1;
-        double normal[3];
-        for (int i = 0; i < 3; i++)
-            normal[i] = way * (side / 2 ? camera->up[i] : camera->right[i]) - (parallel ? 0 : reach * camera->back[i]);
-        set_plane(normal, camera->position, parallel ? reach : 0, &sides[4 * side]);
-    }
-    set_plane((const double[]){-camera->back[0], -camera->back[1], -camera->back[2]}, camera->position, 0, front);
+    double normals[5][3];
+    find_sides(camera, view->size, normals);
+    for (int side = 0; side < 4; side++)
+        set_plane(normals[side], camera->position, parallel ? camera->half * view->size[side / 2] / shorter : 0,
+                  &sides[4 * side]);
+    set_plane(normals[4], camera->position, 0, front);
     for (int i = 0; i < 3; i++)
         eye[i] = (float)(parallel ? camera->back[i] : camera->position[i]);
     eye[3] = parallel ? 0 : 1;
@@ -192,7 +225,7 @@ static void set_view(Displaced *d, const DisplacedView *view, const Mesh *mesh)
     bisection_set(d, "bisect_eye", 4, eye);
     bisection_set_number(d, "bisect_near", fmax(camera->near, 1e-6));
     bisection_set_number(d, "bisect_scale", shorter / 2 / camera->half);
-    bisection_set_number(d, "bisect_closed", mesh->body != SHAPE_BODY_none);
+    bisection_set_number(d, "bisect_closed", mesh->body != SHAPE_BODY_none ? 3 : 0);
 }
 
 /* The first of those that cast shadows, as many as there is room for. */
@@ -218,6 +251,51 @@ static BisectionLights find_lights(const DisplacedView *view)
     return found;
 }
 
+static double distance(const double a[3], const double b[3])
+{
+    double square = 0;
+    for (int i = 0; i < 3; i++)
+        square += (a[i] - b[i]) * (a[i] - b[i]);
+    return sqrt(square);
+}
+
+/* No farther is anything that is asked for, from there: a point that may be seen, or a light. */
+static double farthest(const Bisection *b, const double eye[3])
+{
+    double far = 1, corner[3];
+    for (int i = 0; i < 3; i++)
+        corner[i] = eye[i] - b->box[0][i] > b->box[1][i] - eye[i] ? b->box[0][i] : b->box[1][i];
+    far = fmax(far, distance(eye, corner));
+    for (int i = 0; i < b->lights.count; i++) {
+        const double light[3] = {(double)b->lights.each[i][0], (double)b->lights.each[i][1],
+                                 (double)b->lights.each[i][2]};
+        far = b->lights.each[i][3] != 0 ? fmax(far, distance(eye, light)) : far;
+    }
+    return far;
+}
+
+/* How far the camera has moved from its last view, as bisect_see.glsl counts it; and what rounding may hide of that. What else has changed makes all anew. */
+static void move(Displaced *d, const DisplacedView *view, const BisectionLights *lights)
+{
+    Bisection *b = d->own;
+    const SceneCamera *was = &b->camera, *is = &view->scene->camera;
+    const double rounded = 4e-6;
+    double turned = 0, normals[2][5][3], far = farthest(b, is->position), most = far;
+    if (was->kind != is->kind || was->half != is->half || was->near != is->near ||
+        memcmp(b->size, view->size, sizeof b->size) || memcmp(&b->lights, lights, sizeof *lights))
+        b->pixels = 0;
+    find_sides(was, view->size, normals[0]);
+    find_sides(is, view->size, normals[1]);
+    for (int side = 0; side < 5; side++)
+        turned = fmax(turned, distance(normals[0][side], normals[1][side]));
+    b->gone += distance(was->position, is->position) * (1 + turned) + turned * far;
+    for (int i = 0; i < 3; i++)
+        most = fmax(most, fabs(is->position[i]));
+    if (b->gone > far) /* rounding is less than what is left for it, as long as numbers are no larger */
+        b->pixels = 0;
+    bisection_set_number(d, "bisect_slack", rounded * most);
+}
+
 static bool begin(Displaced *d, Mesh *mesh)
 {
     Bisection *b = d->own;
@@ -225,7 +303,7 @@ static bool begin(Displaced *d, Mesh *mesh)
     if (!bisection_room(d, mesh, room < b->most ? room : b->most))
         return false;
     bind(d, mesh);
-    write_head(d, (GLuint)bases);
+    write_head(d, (GLuint)bases, 0);
     for (int level = b->ranged; level >= -1; level--) {
         material_set_number(&b->stages[BISECTION_BEGIN], "bisect_level", (float)level);
         dispatch(d, &b->stages[BISECTION_BEGIN], (GLuint)bases << (level > 0 ? level : 0));
@@ -245,10 +323,11 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
         return true;
     if (first && !begin(d, mesh))
         return false;
+    move(d, view, &lights);
     b->lights = lights;
     b->camera = view->scene->camera;
     memcpy(b->size, view->size, sizeof b->size);
-    b->splits = b->merges = b->looks = 0;
+    b->splits = b->merges = b->looks = b->looked = 0;
     set_view(d, view, mesh);
     bind(d, mesh);
     const bool fine = settle(d, mesh);
@@ -268,8 +347,9 @@ DisplacedBisectionCost displaced_bisection_cost(const Displaced *d)
         .splits = b->splits,
         .merges = b->merges,
         .kept = 2 * sizeof(GLuint) * (b->head[BISECTION_HIGH] + ((size_t)d->patches->count << (b->ranged + 1))),
-        .scratch = sizeof(GLuint) * (((size_t)1 << b->table_bits) + BISECTION_HEAD + BISECTION_LISTS * (size_t)b->room),
+        .scratch = (sizeof(GLuint) << b->table_bits) + bisection_work_bytes((size_t)b->room),
         .looks = b->looks,
+        .looked = b->looked,
         .pixels = d->patches->pixels * exp2(b->coarser / 4.)};
 }
 

@@ -13,7 +13,8 @@ typedef struct {
     int leaves, splits, merges; /* of the last view */
     size_t kept,
         scratch; /* bytes: from view to view, of places in use and of ranges; and of what a view begins anew, of all there is room for */
-    int looks;     /* times that all leaves were looked at */
+    int looks;     /* times that leaves were looked at, all or those that may have changed; */
+    int looked;    /* and how many */
     double pixels; /* what an error may have had, so that triangles are enough */
 } DisplacedBisectionCost;
 DisplacedBisectionCost displaced_bisection_cost(const Displaced *displaced);
