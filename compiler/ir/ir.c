@@ -168,7 +168,7 @@ Ref ir_make(Ir *ir, IrNode made, const Ref *args)
     node.type = (uint8_t)type_by_rule(ir, &made, args);
     node.hash = hash_node(&node, args);
     Ref ref = find_or_add(ir, &node, args);
-    return ir->simplify && node.count ? ir->simplify(ir, ref) : ref;
+    return ir->simplify && node.count && !ir->nodes[ref].simple ? ir->simplify(ir, ref) : ref;
 }
 
 bool ir_is_number(const Ir *ir, Ref ref, double value)

@@ -54,7 +54,8 @@ typedef uint32_t Ref; /* number of a node; 0 is none */
 
 typedef struct {
     uint8_t op, type, count; /* Op, Type, operands */
-    uint8_t head;            /* it is the value of its origin's map or slot, not a step on the way; for names only */
+    uint8_t head : 1;        /* it is the value of its origin's map or slot, not a step on the way; for names only */
+    uint8_t simple : 1;      /* no local rule changes it: opt_simplify was asked */
     uint32_t origin;         /* what it was made for; for names and comments only */
     uint32_t first;          /* of its operands in args */
     uint32_t payload;        /* what op_payload says */

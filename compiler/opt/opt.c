@@ -23,20 +23,23 @@ static bool run(Session *session, Ir *ir, const OptPass *pass, bool *progress)
     return !fault;
 }
 
-/* Until nothing changes. Ranges and functions gain nothing new where nothing changed. */
+/* Until nothing changes: where all passes of a round left everything as it is, another round would, too. */
 static bool run_rounds(Session *session, Ir *ir)
 {
     static const OptPass polish = {"polish", opt_polish}, range = {"range", opt_range},
                          function = {"function", opt_function};
-    bool changed = true;
+    bool found = true; /* by ranges and functions */
     for (int round = 0; round < MOST_ROUNDS; round++) {
-        if (!run(session, ir, &polish, &changed))
+        bool polished = false;
+        if (!run(session, ir, &polish, &polished))
             return false;
-        if (!changed)
+        if (!found && !polished)
             break;
-        changed = false;
-        if (!run(session, ir, &range, &changed) || !run(session, ir, &function, &changed))
+        found = false;
+        if (!run(session, ir, &range, &found) || !run(session, ir, &function, &found))
             return false;
+        if (!found && !polished)
+            break;
     }
     return true;
 }

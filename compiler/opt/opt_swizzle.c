@@ -123,6 +123,8 @@ static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
     uint32_t lanes = ir_at(ir, ref)->payload, composed = 0;
     int count = ir_lanes(ir, ref);
     Ref a = ir_arg(ir, ref, 0);
+    if (ir_at(ir, ref)->simple)
+        return push_down(ir, ref, uses, PUSH_DEPTH);
     bool identity = count == ir_lanes(ir, a);
     for (int i = 0; i < count; i++)
         identity &= lane_at(lanes, i) == (uint32_t)i;
