@@ -174,9 +174,14 @@ static Interval claim(Site *s, Op op, const Interval *of, bool square)
     if (square)
         args[1] = args[0];
     Ref ref = ir_make(s->ir, (IrNode){.op = op, .type = TYPE_float, .count = op_table[op].arity}, args);
-    Ranges ranges = {ARENA_ARRAY(&s->arena, Interval, s->ir->count), (Ref)s->ir->count, 1, NULL, NULL};
-    for (int k = op_table[op].arity - 1; k >= 0; k--)
+    Ranges ranges = {.of = ARENA_ARRAY(&s->arena, Interval, s->ir->count),
+                     .first = ARENA_ARRAY(&s->arena, uint32_t, s->ir->count),
+                     .count = (Ref)s->ir->count,
+                     .lanes = 1};
+    for (int k = op_table[op].arity - 1; k >= 0; k--) {
+        ranges.first[args[k]] = args[k];
         ranges.of[args[k]] = of[k];
+    }
     return range_computed(&ranges, s->ir, ref, 0);
 }
 

@@ -57,13 +57,15 @@ static void read_color(const FormulaSource *s, Token *token)
 }
 
 /* "**", which other languages have for "^", is one, so that it is told as one. */
-static uint32_t symbol_end(const FormulaSource *s, uint32_t at)
+static uint32_t symbol_end(const FormulaSource *s, uint32_t at, int *symbol)
 {
     if (formula_begins(s, at, "**"))
         return at + 2;
     for (int i = 0; i < symbol_count; i++)
-        if (symbol_table[i].text[0] == s->text[at] && formula_begins(s, at, symbol_table[i].text))
+        if (symbol_table[i].text[0] == s->text[at] && formula_begins(s, at, symbol_table[i].text)) {
+            *symbol = i;
             return at + (uint32_t)strlen(symbol_table[i].text);
+        }
     return s->text[at] && strchr("()[],;=?:.", s->text[at]) ? at + 1 : at;
 }
 
@@ -78,7 +80,7 @@ Token formula_token(const FormulaSource *s, uint32_t at)
 {
     while (at < s->size && is_space(s->text[at]))
         at++;
-    Token token = {.kind = TOKEN_end, .start = at, .end = at};
+    Token token = {.kind = TOKEN_end, .start = at, .end = at, .symbol = symbol_count};
     if (at == s->size)
         return token;
     const char c = s->text[at];
@@ -96,11 +98,12 @@ Token formula_token(const FormulaSource *s, uint32_t at)
     } else if ((c == '"' || c == '\'') && text_end(s, at) > at) {
         token.kind = TOKEN_text;
         token.end = text_end(s, at);
-    } else if ((token.end = symbol_end(s, at)) > at) {
+    } else if ((token.end = symbol_end(s, at, &token.symbol)) > at) {
         token.kind = formula_begins(s, at, "**") ? TOKEN_other : TOKEN_symbol;
     } else {
         const int size = text_utf8_length(bytes + at, bytes + s->size);
-        token = (Token){.kind = TOKEN_other, .start = at, .end = at + (uint32_t)(size > 0 ? size : 1)};
+        token.kind = TOKEN_other;
+        token.end = at + (uint32_t)(size > 0 ? size : 1);
     }
     return token;
 }

@@ -17,6 +17,7 @@ typedef enum {
 typedef struct {
     TokenKind kind;
     uint32_t start, end; /* bytes */
+    int symbol;          /* the first of symbol_table that it is; symbol_count: it is none */
     double number;
     int lanes;
     double color[4];

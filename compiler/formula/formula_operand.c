@@ -74,7 +74,7 @@ void formula_say_other(FormulaReader *r)
 
 static bool prefix(FormulaReader *r)
 {
-    for (int i = 0; i < symbol_count; i++)
+    for (int i = r->token.symbol; i < symbol_count; i++)
         if (symbol_table[i].level == level_prefix && formula_is(r, symbol_table[i].text)) {
             formula_wait(r, (FormulaWait){WAIT_prefix, level_prefix, symbol_table[i].term, r->operand_count,
                                           r->token.start, r->token.end});

@@ -136,7 +136,7 @@ static void read_colon(FormulaReader *r)
 
 static const SymbolRow *infix_of(const FormulaReader *r)
 {
-    for (int i = 0; i < symbol_count; i++)
+    for (int i = r->token.symbol; i < symbol_count; i++)
         if (symbol_table[i].level != level_prefix && formula_is(r, symbol_table[i].text))
             return &symbol_table[i];
     return NULL;

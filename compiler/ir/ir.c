@@ -223,13 +223,10 @@ void ir_output(Ir *ir, OutputKind kind, int index, Ref value)
     ir->outputs[ir->output_count++] = (IrOutput){kind, index, value};
 }
 
-uint8_t *ir_live(const Ir *ir, Arena *arena)
+/* Users come after operands, and a function's result before its calls: one sweep down suffices. */
+void ir_live_below(const Ir *ir, uint8_t *live, Ref last)
 {
-    uint8_t *live = ARENA_ARRAY(arena, uint8_t, ir->count);
-    for (int i = 0; i < ir->output_count; i++)
-        live[ir->outputs[i].value] = 1;
-    /* users come after operands, and a function's result before its calls: one sweep down suffices */
-    for (Ref ref = (Ref)ir->count - 1; ref > 0; ref--) {
+    for (Ref ref = last; ref > 0; ref--) {
         const IrNode *node = &ir->nodes[ref];
         if (!live[ref])
             continue;
@@ -239,6 +236,14 @@ uint8_t *ir_live(const Ir *ir, Arena *arena)
             live[ir->functions[node->payload].result] = 1;
     }
     live[0] = 0;
+}
+
+uint8_t *ir_live(const Ir *ir, Arena *arena)
+{
+    uint8_t *live = ARENA_ARRAY(arena, uint8_t, ir->count);
+    for (int i = 0; i < ir->output_count; i++)
+        live[ir->outputs[i].value] = 1;
+    ir_live_below(ir, live, (Ref)ir->count - 1);
     return live;
 }
 

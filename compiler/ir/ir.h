@@ -195,10 +195,14 @@ enum { KERNEL_POINTS = 27 }; /* of a function that a kernel sums */
 void ir_rehash(Ir *ir);
 /* Marks the nodes that the outputs reach, through functions too: live[ref]. */
 uint8_t *ir_live(const Ir *ir, Arena *arena);
+/* Marks what marked ones reach, of which `last` is the last. */
+void ir_live_below(const Ir *ir, uint8_t *live, Ref last);
 /* One sweep over the live nodes, operands first: each is remade on its new operands and given to `rewrite`, which returns what stands
  * for it, or the node itself. Whether anything changed. */
 typedef Ref IrRewrite(Ir *ir, Ref ref, const void *user);
 bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user);
+/* The same where it is known which are live. */
+bool ir_sweep_live(Ir *ir, const uint8_t *live, IrRewrite *rewrite, const void *user);
 /* What some roots need, functions that are run left out: users before operands. One is used for many roots in turn. */
 typedef struct {
     Arena *arena;

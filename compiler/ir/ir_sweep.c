@@ -57,9 +57,12 @@ static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
 
 bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user)
 {
-    Arena *scratch = &ir->scratch;
-    uint8_t *live = ir_live(ir, scratch);
-    Moves moves = new_moves(ir, scratch);
+    return ir_sweep_live(ir, ir_live(ir, &ir->scratch), rewrite, user);
+}
+
+bool ir_sweep_live(Ir *ir, const uint8_t *live, IrRewrite *rewrite, const void *user)
+{
+    Moves moves = new_moves(ir, &ir->scratch);
     Ref count = (Ref)ir->count;
     bool changed = false;
     for (Ref ref = 1; ref < count; ref++) {

@@ -33,18 +33,16 @@ typedef struct {
 } SeenLane;
 
 typedef struct Seen {
-    uint64_t *marks; /* by Ref: of what conditions compare, what this node is made of */
     SeenLane slots[SEEN_SLOTS];
     uint32_t sets; /* so many have held */
 } Seen;
 
-static uint64_t mark_of(Ref ref) { return 1ull << (ref & 63); }
+struct Seen *range_seen_new(Arena *arena) { return ARENA_NEW(arena, Seen); }
 
 static Interval kept_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
-    if (ref >= r->count)
-        return everything;
-    return r->lanes == 1 ? r->of[ref] : r->of[(Ref)r->lanes * ref + (Ref)(ir_lanes(ir, ref) == 1 ? 0 : lane)];
+    const uint32_t first = ref < r->count ? r->first[ref] : 0;
+    return !first ? everything : r->of[r->lanes == 1 || ir_lanes(ir, ref) == 1 ? first : first + (uint32_t)lane];
 }
 
 /* -- Intervals where a condition holds: in select(t < 1, a, b), t is below 1 in a, and not below it in b. What an arm computes of
@@ -84,7 +82,7 @@ static Interval guarded_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
             kept = both(kept, guards->at[i].within);
             guarded = true;
         }
-    if (guarded || ref >= r->count || !(r->seen->marks[ref] & guards->marks))
+    if (guarded || ref >= r->count || !(r->marks[ref] & guards->marks))
         return kept;
     const Interval found = found_again(r, ir, ref, lane), narrow = both(kept, found);
     return isnan(found.low) || isnan(found.high) || is_empty(narrow) ? kept : narrow;
@@ -123,7 +121,7 @@ static Interval arm_range(const Ranges *r, const Ir *ir, Ref arm, int lane, Guar
     const uint64_t marks = guards->marks;
     const uint32_t set = guards->set;
     guards->at[guards->count++] = side;
-    guards->marks |= mark_of(side.ref);
+    guards->marks |= range_mark(side.ref);
     guards->set = ++r->seen->sets;
     Interval found = range_of(r, ir, arm, lane);
     guards->count--;
@@ -357,37 +355,3 @@ bool range_is_exact(Op op)
         return false;
     }
 }
-
-/* A bit for each node that a condition compares with something, all but 64 of them sharing theirs; and those of its operands. */
-static Seen *mark_compared(const Ir *ir, Arena *arena)
-{
-    Seen *seen = ARENA_NEW(arena, Seen);
-    seen->marks = ARENA_ARRAY(arena, uint64_t, ir->count);
-    for (Ref ref = 1; ref < ir->count; ref++)
-        for (int i = 0; (ir_is(ir, ref, OP_lt) || ir_is(ir, ref, OP_le)) && i < 2; i++)
-            seen->marks[ir_arg(ir, ref, i)] = mark_of(ir_arg(ir, ref, i));
-    for (Ref ref = 1; ref < ir->count; ref++) {
-        for (int i = 0; i < ir_at(ir, ref)->count; i++)
-            seen->marks[ref] |= seen->marks[ir_arg(ir, ref, i)];
-        if (ir_applies(ir, ref))
-            seen->marks[ref] |= seen->marks[ir->functions[ir_at(ir, ref)->payload].result];
-    }
-    return seen;
-}
-
-/* Of those that are live; NULL: of all. */
-static Ranges find(const Ir *ir, Arena *arena, int lanes, const uint8_t *live)
-{
-    Ranges r = {.of = ARENA_ARRAY(arena, Interval, ir->count * (size_t)lanes), .count = (Ref)ir->count, .lanes = lanes};
-    r.seen = lanes == 1 ? NULL : mark_compared(ir, arena); /* all lanes as one know no guards */
-    for (Ref ref = 1; ref < r.count; ref++)
-        for (int lane = 0; lane < lanes && lane < (lanes == 1 ? 1 : ir_lanes(ir, ref)); lane++) {
-            const Interval range = !live || live[ref] ? range_computed(&r, ir, ref, lane) : everything;
-            const bool none = isnan(range.low) || isnan(range.high);
-            r.of[(Ref)lanes * ref + (Ref)lane] = none ? everything : range;
-        }
-    return r;
-}
-
-Ranges range_find(const Ir *ir, Arena *arena, int lanes) { return find(ir, arena, lanes, NULL); }
-Ranges range_find_live(const Ir *ir, Arena *arena, int lanes) { return find(ir, arena, lanes, ir_live(ir, arena)); }

@@ -5,21 +5,29 @@
 #include "compiler/ir/ir.h"
 
 typedef struct {
-    Interval *of;          /* by Ref, `lanes` of each */
+    Interval *of;          /* of each node that was looked at as many as it has lanes, or one */
+    uint32_t *first;       /* by Ref: where in `of` its own begin; 0: it may be anything */
     Ref count;             /* of nodes when they were found */
     int lanes;             /* 1: one for all lanes of a node; FIELD_LANES: one a lane */
     struct Guards *guards; /* under way: range.c */
     struct Seen *seen;     /* while they hold; NULL: `lanes` is 1 */
+    uint64_t *marks;       /* by Ref: of what conditions compare, what this node is made of; range_mark */
 } Ranges;
 
-/* Of all nodes, in the arena. Arithmetic that rounds may pass a bound by a rounding's worth: 1e-5 of it. */
+/* Of all nodes, in the arena, where they are to be found. Arithmetic that rounds may pass a bound by a rounding's worth: 1e-5 of it. */
 Ranges range_find(const Ir *ir, Arena *arena, int lanes);
 /* Of nodes that outputs need; any other may be anything. */
-Ranges range_find_live(const Ir *ir, Arena *arena, int lanes);
+Ranges range_find_live(const Ir *ir, Arena *arena, int lanes, const uint8_t *live);
+/* Of what some values are made of. */
+Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count);
 /* The interval of such a node holds to the last bit. */
 bool range_is_exact(Op op);
 /* Of a lane, or of all lanes together where that is all that is kept. What came later may be anything. */
 Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane);
+/* A bit for a node that a condition compares: all but 64 share theirs. */
+static inline uint64_t range_mark(Ref ref) { return 1ull << (ref & 63); }
+/* Nothing was found yet while guards held. */
+struct Seen *range_seen_new(Arena *arena);
 /* That which follows from the operands' by the node's operation. */
 Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane);
 #endif

@@ -70,8 +70,7 @@ bool layout_has_slot(const LayoutRow *row, Slot slot)
 
 static int plain_count(const LayoutRow *row) { return row->case_count - row->further_count; }
 
-/* A bit for each slot of which it stores a lane. */
-static unsigned stored_slots(const CaseRow *row)
+unsigned layout_case_slots(const CaseRow *row)
 {
     unsigned slots = 0;
     for (int i = 0; i < row->field_count; i++)
@@ -80,13 +79,26 @@ static unsigned stored_slots(const CaseRow *row)
     return slots;
 }
 
+unsigned layout_stored(const LayoutRow *row)
+{
+    unsigned stored = 0;
+    for (int i = 0; i < row->case_count; i++) {
+        stored |= layout_case_slots(&row->cases[i]);
+        for (int k = 0; k < row->cases[i].fixed_count; k++)
+            stored |= 1u << row->cases[i].fixed[k].slot;
+    }
+    for (int i = 0; i < row->fixed_count; i++)
+        stored &= ~(1u << row->fixed[i].slot);
+    return stored;
+}
+
 bool layout_is_whole(const LayoutRow *row)
 {
     unsigned all = 0, most = 0;
     for (int i = 0; i < plain_count(row); i++)
-        all |= stored_slots(&row->cases[i]);
+        all |= layout_case_slots(&row->cases[i]);
     for (int i = 0; i < plain_count(row) && most != all; i++)
-        most = stored_slots(&row->cases[i]);
+        most = layout_case_slots(&row->cases[i]);
     return plain_count(row) && most == all;
 }
 

@@ -37,8 +37,11 @@ bool layout_has_words(const LayoutRow *row);
 const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot);
 /* The slot comes back: it is stored by any case, or fixed. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
-/* At least a lane of it is stored by that case. */
+/* At least a lane of it is stored by that case; a bit for each such slot. */
 bool layout_case_has_slot(const CaseRow *row, Slot slot);
+unsigned layout_case_slots(const CaseRow *row);
+/* Slots that come back and are not the same for all materials: a bit each. */
+unsigned layout_stored(const LayoutRow *row);
 /* A case stores every slot of the layout that is not fixed, so that every material has one. Where none does, what changes
  * nothing need not be stored. */
 bool layout_is_whole(const LayoutRow *row);

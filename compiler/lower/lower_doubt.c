@@ -67,9 +67,14 @@ static bool is_nought(const Ranges *ranges, const Ir *ir, Ref slope)
 void lower_doubt(Lower *l)
 {
     Arena arena = {0};
-    if (!l->crossing && !l->reliefs)
-        return;
-    const Ranges ranges = range_find(l->ir, &arena, 1);
+    Ref *roots = NULL;
+    size_t count = 0, room = 0;
+    for (const struct Crossing *at = l->crossing; at; at = at->next)
+        ARENA_PUSH(&arena, roots, count, room, at->coordinate);
+    for (const struct Relief *at = l->reliefs; at; at = at->next)
+        for (int i = 0; i < 2; i++)
+            ARENA_PUSH(&arena, roots, count, room, at->slope[i]);
+    const Ranges ranges = range_find_below(l->ir, &arena, 1, roots, (int)count);
     for (const struct Crossing *at = l->crossing; at; at = at->next)
         doubt(l->session, at->blend, range_of(&ranges, l->ir, at->coordinate, 0));
     for (const struct Relief *at = l->reliefs; at; at = at->next)

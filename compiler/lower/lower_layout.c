@@ -137,15 +137,10 @@ static bool is_needed(Lower *l, const Node *material, Slot slot, const Env *env)
     return !matters;
 }
 
-static bool is_stored(const LayoutRow *row, Slot slot)
-{
-    return layout_has_slot(row, slot) && !layout_fixed(row, slot);
-}
-
 /* Where a case is for everything, what changes nothing is stored too. */
 static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot slot, const Env *env)
 {
-    return layout_is_whole(row) ? !is_absent(l, material, slot, env) : is_needed(l, material, slot, env);
+    return !is_absent(l, material, slot, env) && (layout_is_whole(row) || is_needed(l, material, slot, env));
 }
 
 /* The slot is the constant that a case gives back. */
@@ -158,21 +153,22 @@ static bool is_given(Lower *l, const Node *material, const FixedRow *fixed, cons
     return true;
 }
 
-/* A case neither stores nor gives back what the material has of a slot. */
+/* A case, which does not store the slot, does not give back either what the material has of it. */
 static bool is_lost(Lower *l, const CaseRow *of, const Node *material, Slot slot, const Env *env)
 {
-    const LayoutRow *row = l->job->layout;
     const FixedRow *fixed = layout_case_fixed(of, slot);
-    if (!is_stored(row, slot) || layout_case_has_slot(of, slot))
-        return false;
-    return fixed ? !is_given(l, material, fixed, env) : is_asked(l, row, material, slot, env);
+    return fixed ? !is_given(l, material, fixed, env) : is_asked(l, l->job->layout, material, slot, env);
 }
 
+/* Of those that any case of the layout stores. */
 static unsigned lost_slots(Lower *l, int number, const Node *material, const Env *env)
 {
+    const CaseRow *of = &l->job->layout->cases[number];
+    const unsigned elsewhere = layout_stored(l->job->layout) & ~layout_case_slots(of);
     unsigned lost = 0;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        lost |= (unsigned)is_lost(l, &l->job->layout->cases[number], material, (Slot)slot, env) << slot;
+        if (elsewhere >> slot & 1)
+            lost |= (unsigned)is_lost(l, of, material, (Slot)slot, env) << slot;
     return lost;
 }
 
@@ -227,7 +223,8 @@ void lower_no_case(Lower *l, const Node *material, const Env *env)
     const LayoutRow *row = l->job->layout;
     unsigned slots = 0;
     for (int slot = SLOT_normal + 1; slot < SLOT_COUNT; slot++)
-        slots |= (unsigned)(is_stored(row, (Slot)slot) && is_needed(l, material, (Slot)slot, env)) << slot;
+        if (layout_stored(row) >> slot & 1)
+            slots |= (unsigned)is_needed(l, material, (Slot)slot, env) << slot;
     diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_none, row->name, names_of(l, slots));
     l->failed = true;
 }
@@ -266,7 +263,7 @@ static bool matters(Lower *l, Slot slot, const Node *material, const Env *env)
             continue;
         Arena arena = {0};
         const Ref value = lower_slot(l, material, (Slot)other, env);
-        const Ranges ranges = range_find(l->ir, &arena, 1);
+        const Ranges ranges = range_find_below(l->ir, &arena, 1, &value, 1);
         there = range_of(&ranges, l->ir, value, 0).high > 0;
         arena_free(&arena);
     }

@@ -30,8 +30,9 @@ Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user);
 
 typedef struct {
     const uint32_t *uses;
+    const uint8_t *live;
     Ref count; /* of nodes when the uses were counted */
 } Uses;
-/* How often each node is used by live nodes, outputs and functions. */
-uint32_t *opt_uses(const Ir *ir, Arena *arena);
+/* How often each node is used by live nodes, outputs and functions, and which are live. */
+Uses opt_uses(const Ir *ir, Arena *arena);
 #endif

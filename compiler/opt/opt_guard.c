@@ -56,7 +56,7 @@ static Ref settle(Ir *ir, Ref ref, const void *user)
 
 bool opt_guard(Ir *ir)
 {
-    Guards g = {.uses = opt_uses(ir, &ir->scratch), .own = ARENA_ARRAY(&ir->scratch, uint32_t, ir->count)};
+    Guards g = {.uses = opt_uses(ir, &ir->scratch).uses, .own = ARENA_ARRAY(&ir->scratch, uint32_t, ir->count)};
     bool any = false;
     for (Ref ref = 1; ref < ir->count; ref++) {
         if (!g.uses[ref] || !build_is_guard(ir, ref))

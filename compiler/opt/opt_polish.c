@@ -36,6 +36,6 @@ static Ref polish(Ir *ir, Ref ref, const void *user)
 
 bool opt_polish(Ir *ir)
 {
-    Uses uses = {opt_uses(ir, &ir->scratch), (Ref)ir->count};
-    return ir_sweep(ir, polish, &uses);
+    const Uses uses = opt_uses(ir, &ir->scratch);
+    return ir_sweep_live(ir, uses.live, polish, &uses);
 }

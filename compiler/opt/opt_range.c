@@ -12,8 +12,8 @@ enum { MOST_LANES = 4 };
 /* What the sweep goes by. */
 typedef struct {
     Ranges ranges;
-    const bool *
-        steps; /* by Ref: a floor, ceil or sign is in it, which a rounding beyond an end may take a whole step further */
+    const bool **
+        steps; /* by Ref: a floor, ceil or sign is in it, which a rounding beyond an end may take a whole step further; NULL: nobody asked */
 } Known;
 
 typedef struct {
@@ -49,13 +49,34 @@ static int lanes_at(const Ir *ir, Ref ref)
     return lanes;
 }
 
-/* A value whose every lane can be one number alone is a constant. */
+/* Results of functions come before their users, too. */
+static bool has_step(const Ir *ir, Ref ref, const bool *steps)
+{
+    const IrNode *node = ir_at(ir, ref);
+    if (node->op == OP_floor || node->op == OP_ceil || node->op == OP_sign)
+        return true;
+    if (ir_applies(ir, ref) && steps[ir->functions[node->payload].result])
+        return true;
+    for (int i = 0; i < node->count; i++)
+        if (steps[ir_arg(ir, ref, i)])
+            return true;
+    return false;
+}
+
+static const bool *find_steps(Ir *ir, Ref count)
+{
+    bool *steps = ARENA_ARRAY(&ir->scratch, bool, count);
+    for (Ref ref = 1; ref < count; ref++)
+        steps[ref] = has_step(ir, ref, steps);
+    return steps;
+}
+
+/* A value whose every lane can be one number alone is a constant. Few are. */
 static Ref only_value(Ir *ir, Ref ref, const Known *known)
 {
     const Type type = ir_type(ir, ref);
     double lanes[MOST_LANES] = {0};
-    if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) || ref >= known->ranges.count ||
-        known->steps[ref])
+    if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) || ref >= known->ranges.count)
         return ref;
     for (int i = 0; i < ir_lanes(ir, ref); i++) {
         const Interval range = range_of(&known->ranges, ir, ref, i);
@@ -63,7 +84,9 @@ static Ref only_value(Ir *ir, Ref ref, const Known *known)
             return ref;
         lanes[i] = range.low;
     }
-    return ir_const(ir, type, lanes);
+    if (!*known->steps)
+        *known->steps = find_steps(ir, known->ranges.count);
+    return (*known->steps)[ref] ? ref : ir_const(ir, type, lanes);
 }
 
 /* The BOUND rows of rules.def. */
@@ -91,30 +114,10 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
     return only_value(ir, ref, known);
 }
 
-/* Results of functions come before their users, too. */
-static bool has_step(const Ir *ir, Ref ref, const bool *steps)
-{
-    const IrNode *node = ir_at(ir, ref);
-    if (node->op == OP_floor || node->op == OP_ceil || node->op == OP_sign)
-        return true;
-    if (ir_applies(ir, ref) && steps[ir->functions[node->payload].result])
-        return true;
-    for (int i = 0; i < node->count; i++)
-        if (steps[ir_arg(ir, ref, i)])
-            return true;
-    return false;
-}
-
-static const bool *find_steps(Ir *ir)
-{
-    bool *steps = ARENA_ARRAY(&ir->scratch, bool, ir->count);
-    for (Ref ref = 1; ref < ir->count; ref++)
-        steps[ref] = has_step(ir, ref, steps);
-    return steps;
-}
-
 bool opt_range(Ir *ir)
 {
-    const Known known = {range_find_live(ir, &ir->scratch, MOST_LANES), find_steps(ir)};
-    return ir_sweep(ir, decide, &known);
+    const uint8_t *live = ir_live(ir, &ir->scratch);
+    const bool *steps = NULL;
+    const Known known = {range_find_live(ir, &ir->scratch, MOST_LANES, live), &steps};
+    return ir_sweep_live(ir, live, decide, &known);
 }

@@ -191,8 +191,6 @@ Ref opt_rewrite_swizzle(Ir *ir, Ref ref, const void *user)
 
 bool opt_swizzle(Ir *ir)
 {
-    Arena *scratch = &ir->scratch;
-    Uses uses = {opt_uses(ir, scratch), (Ref)ir->count};
-    bool changed = ir_sweep(ir, opt_rewrite_swizzle, &uses);
-    return changed;
+    const Uses uses = opt_uses(ir, &ir->scratch);
+    return ir_sweep_live(ir, uses.live, opt_rewrite_swizzle, &uses);
 }
