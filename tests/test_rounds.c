@@ -1,0 +1,92 @@
+/* The optimiser asks no more than it has to: of a node that no rule changes once, of a program until a round leaves it as it is. Counts, which
+ * are the same on every machine. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/opt/opt.h"
+#include "compiler/pipeline.h"
+#include <string.h>
+
+static int asked; /* how often a rule was */
+
+static Ref count_asked(Ir *ir, Ref ref)
+{
+    asked++;
+    return opt_simplify(ir, ref);
+}
+
+static void a_simple_node_is_asked_once(void **state)
+{
+    (void)state;
+    Arena arena = {0};
+    MatcOptions options;
+    matc_options_init(&options);
+    Session session = {.options = &options, .arena = &arena, .optimize = 2};
+    Ir *ir = ir_new(&session, NULL);
+    ir->simplify = count_asked;
+    const Ref p = build_input(ir, INPUT_X), x = build_swizzle(ir, p, "x"), y = build_swizzle(ir, p, "y");
+    asked = 0;
+    const Ref sum = build_add(ir, y, x);
+    const int first = asked;
+    assert_true(first > 0);
+    assert_int_equal(build_add(ir, y, x), sum);
+    assert_int_equal(asked, first);
+    /* what a rule does change is changed whenever it is met: x * 1 is x */
+    const Ref one = build_float(ir, 1);
+    assert_int_equal(build_mul(ir, x, one), x);
+    assert_int_equal(build_mul(ir, x, one), x);
+    assert_true(asked > first + 1);
+    ir_done(ir);
+    arena_free(&arena);
+}
+
+/* How often a pass ran over a document's program, and how many nodes are left. */
+static int runs_of(const char *text, const char *pass, int *nodes)
+{
+    Arena arena = {0};
+    MatcOptions options;
+    Tree *tree;
+    Job job;
+    int runs = 0;
+    matc_options_init(&options);
+    Session session = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
+    const Source source = {.name = "rounds.yaml", .text = text, .size = strlen(text)};
+    ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
+    assert_null(choice_job(&options, &job));
+    const Graph *graph = compile_front(&session, 0, &tree);
+    assert_non_null(graph);
+    assert_non_null(compile_ir(&session, graph, graph->materials[0].node, &job));
+    for (size_t i = 0; i < session.stat_count; i++) {
+        runs += !strcmp(session.stats[i].name, pass);
+        *nodes = session.stats[i].nodes ? session.stats[i].nodes : *nodes;
+    }
+    arena_free(&arena);
+    return runs;
+}
+
+/* Of a number nothing is found at all; of a formula whose author bounded what is bounded already, once. */
+static void rounds_end_where_nothing_is_found(void **state)
+{
+    (void)state;
+    int nodes, left;
+    static const char number[] = "material: Phong\ndiffuse: 0.5\n",
+                      plain[] = "material: Phong\ndiffuse: \"= fract(u)\"\n",
+                      bounded[] = "material: Phong\ndiffuse: \"= max(fract(u), -1)\"\n";
+    assert_int_equal(runs_of(number, "polish", &nodes), 1);
+    assert_int_equal(runs_of(number, "range", &nodes), 1);
+    assert_int_equal(runs_of(plain, "range", &nodes), 1);
+    assert_int_equal(runs_of(bounded, "range", &left), 2);
+    assert_int_equal(runs_of(plain, "range", &nodes), 1);
+    assert_int_equal(left, nodes); /* and that is all that was there to be found */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_simple_node_is_asked_once),
+        cmocka_unit_test(rounds_end_where_nothing_is_found),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
