@@ -99,6 +99,7 @@ typedef struct {
     const CullVolume *volume;   /* what is seen; NULL: all */
     const CullVolume *view;     /* the camera's, also where all is drawn */
     const int *size;            /* of the picture, in pixels */
+    const int *at;              /* its pixel that is drawn first: of a tile */
     const MatcOptions *compile; /* of programs that displace */
     bool triangles;             /* of meshes that the driver displaces are wanted in the scene, too */
     bool alone;                 /* the camera alone looks at the scene: no light that casts shadows, and no ray */
@@ -135,6 +136,7 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent);
 typedef struct {
     float offset[2]; /* of glPolygonOffset */
     float pixel[2];  /* a texel of the map, in clip space */
+    float corner[2]; /* of the texel 0, 0 there */
 } CacheLightTrace;
 
 /* What a light sees of the scene. */

@@ -98,13 +98,24 @@ static void draw_hulls(GlContext *gl, const Cache *cache, int mesh, const int ra
 }
 
 /* Of the picture, in clip space. */
-static void set_pixel(const CacheSource *source, Material *material)
+static void find_pixel(const CacheSource *source, float pixel[2])
 {
-    set(material, "trace_pixel", 2, (float[]){2 / (float)source->size[0], 2 / (float)source->size[1]});
+    for (int i = 0; i < 2; i++)
+        pixel[i] = 2 / (float)source->size[i];
+}
+
+/* Which ray a pixel of the framebuffer has. */
+static void set_pixels(Material *trace, const float pixel[2], const float corner[2])
+{
+    set(trace, "trace_pixel", 2, pixel);
+    set(trace, "trace_corner", 2, corner);
 }
 
 void cache_trace_rays(GlContext *gl, const CacheSource *source, Cache *cache)
 {
+    float pixel[2];
+    find_pixel(source, pixel);
+    const float corner[2] = {pixel[0] * (float)source->at[0] - 1, pixel[1] * (float)source->at[1] - 1};
     begin(gl, cache, cache->views[0]);
     for (int i = 0; i < cache->opaque_count; i++) {
         const Drawable *drawable = &cache->surfaces[i];
@@ -113,7 +124,7 @@ void cache_trace_rays(GlContext *gl, const CacheSource *source, Cache *cache)
         Material *trace = &displaced_traced(&cache->displaced[drawable->mesh])->trace;
         set(trace, "trace_viewer", 4, source->space->spaces.viewer);
         set(trace, "trace_offset", 2, (float[]){0, 0});
-        set_pixel(source, trace);
+        set_pixels(trace, pixel, corner);
         gl->FrontFace(drawable->mirrored ? GL_CW : GL_CCW);
         material_use(trace);
         draw_hulls(gl, cache, drawable->mesh, (int[]){drawable->first_seen, drawable->seen});
@@ -123,6 +134,8 @@ void cache_trace_rays(GlContext *gl, const CacheSource *source, Cache *cache)
 
 void cache_trace_surfaces(GlContext *gl, const CacheSource *source, Cache *cache, GLuint met)
 {
+    float pixel[2];
+    find_pixel(source, pixel);
     begin(gl, cache, cache->views[0]);
     for (int i = 0; i < cache->opaque_count; i++) {
         const Drawable *drawable = &cache->surfaces[i];
@@ -135,7 +148,7 @@ void cache_trace_surfaces(GlContext *gl, const CacheSource *source, Cache *cache
         material_set_number(material, "trace_hull", (float)trace->triangles);
         material_set_number(material, "trace_turn", drawable->mirrored ? -1 : 1);
         set(material, "trace_viewer", 4, source->space->spaces.viewer);
-        set_pixel(source, material);
+        set(material, "trace_pixel", 2, pixel);
         gl->FrontFace(drawable->mirrored ? GL_CW : GL_CCW);
         material_use(material);
         texture_bind(gl, met, MET_UNIT);
@@ -183,7 +196,7 @@ void cache_trace_cast(GlContext *gl, Cache *cache, int mesh, const CacheTraceCas
     find_viewer(light->clip_from_world, viewer);
     set(trace, "trace_viewer", 4, viewer);
     set(trace, "trace_offset", 2, light->traced->offset);
-    set(trace, "trace_pixel", 2, light->traced->pixel);
+    set_pixels(trace, light->traced->pixel, light->traced->corner);
     material_use(trace);
     begin(gl, cache, cache->views[1]);
     draw_hulls(gl, cache, mesh, (int[]){cast->first, cast->count});

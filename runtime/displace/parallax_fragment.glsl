@@ -16,8 +16,8 @@ void main()
     int number = gl_PrimitiveID;
     TraceSpace space = traceSpace(number);
     int node = 2 * traceNode(number, TracePart(0, ivec2(0), false));
-    vec3 way = traceWay();
-    vec3 from = space.inner * (trace_leaves - space.corner), along = space.inner * way;
+    vec3 leaves = traceLeaves(), way = traceWay(leaves);
+    vec3 from = space.inner * (leaves - space.corner), along = space.inner * way;
     float side = along.z < 0.0 ? 1.0 : -1.0; // from above, or from below
     vec2 heights = vec2(trace_nodes[node].w, trace_nodes[node + 1].w) / max(abs(along.z), SLANTED * length(way));
     vec2 ends = side > 0.0 ? -heights.yx : heights; // where it begins, and where it ends
@@ -45,5 +45,5 @@ void main()
         if (abs(here) <= enough)
             break;
     }
-    traceMeet(number, (from + along * t).xy, trace_leaves + way * t);
+    traceMeet(number, (from + along * t).xy, leaves + way * t);
 }

@@ -2,14 +2,31 @@
 layout(std430, binding = 5) readonly buffer TraceNodes {
     vec4 trace_nodes[];
 };
-in vec3 trace_leaves;               // where the ray leaves what is drawn, in the object's space
+uniform vec2 trace_pixel;           // of a picture, in clip space
+uniform vec2 trace_corner;          // where gl_FragCoord is 0, there
+in vec3 trace_leaves;               // about where the ray leaves what is drawn, in the object's space
 flat in vec4 trace_eye;             // whence it comes: the eye and 1, or the direction toward it and 0
 flat in mat4 trace_clipFromLocal;
 flat in uint trace_place;
 layout(location = 0) out uvec4 trace_seen;
 
+// The point of the pixel's own ray that is nearest to trace_leaves. A GPU's rasteriser moves corners by up to 1/256 of a pixel, and what it interpolates with them:
+// a point goes with its place on the screen to where two planes through the middle of the pixel cross, those of x and of y.
+//     The middle is x = 0.5 and y = 0; clip space is the object's, w = 1: the point (0.501, 0.001, 7) becomes (0.5, 0, 7).
+vec3 traceLeaves()
+{
+    vec2 pixel = gl_FragCoord.xy * trace_pixel + trace_corner;
+    mat4 rows = transpose(trace_clipFromLocal);
+    vec4 x = rows[0] - pixel.x * rows[3], y = rows[1] - pixel.y * rows[3], place = vec4(trace_leaves, 1.0);
+    vec2 off = vec2(dot(x, place), dot(y, place));
+    float xx = dot(x.xyz, x.xyz), xy = dot(x.xyz, y.xyz), yy = dot(y.xyz, y.xyz), size = xx * yy - xy * xy;
+    if (size <= 0.0)
+        return trace_leaves;
+    return trace_leaves - ((off.x * yy - off.y * xy) * x.xyz + (off.y * xx - off.x * xy) * y.xyz) / size;
+}
+
 // From the eye to where the ray leaves; of parallel rays the direction.
-vec3 traceWay() { return trace_eye.w > 0.0 ? trace_leaves - trace_eye.xyz : -trace_eye.xyz; }
+vec3 traceWay(vec3 leaves) { return trace_eye.w > 0.0 ? leaves - trace_eye.xyz : -trace_eye.xyz; }
 
 // It meets the patch there. In clip space.
 vec4 traceMeet(int number, vec2 at, vec3 place)

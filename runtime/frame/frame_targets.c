@@ -174,6 +174,7 @@ CacheSource frame_source(const Render *render)
                          render->options.unculled ? NULL : &render->volume,
                          &render->volume,
                          render->whole,
+                         render->at,
                          &render->compile,
                          render->triangles,
                          is_alone(render),

@@ -93,7 +93,9 @@ static void cast_soft(Render *render, const CacheSource *source, int number, boo
         int rect[4];
         soft_views_face(&render->shadows.views.views[number], size, face, &view, rect);
         gl->Viewport(rect[0], rect[1], rect[2], rect[3]);
-        const Casting casting = {&view, number, {{slopes, STEPS_PUSHED}, {2 / (float)rect[2], 2 / (float)rect[3]}}};
+        const float texel[2] = {2 / (float)rect[2], 2 / (float)rect[3]};
+        const float corner[2] = {-texel[0] * (float)rect[0] - 1, -texel[1] * (float)rect[1] - 1};
+        const Casting casting = {&view, number, {{slopes, STEPS_PUSHED}, {texel[0], texel[1]}, {corner[0], corner[1]}}};
         cast_view(render, source, &casting, transparent);
     }
     gl->Viewport(0, 0, size, size);
@@ -107,7 +109,7 @@ static void cast(Render *render, const CacheSource *source, int number, bool tra
         cast_soft(render, source, number, transparent);
     else {
         const float texel = 2 / (float)render->scene->shadow_size;
-        const Casting casting = {view, number, {{slopes_of(render), STEPS_PUSHED}, {texel, texel}}};
+        const Casting casting = {view, number, {{slopes_of(render), STEPS_PUSHED}, {texel, texel}, {-1, -1}}};
         cast_view(render, source, &casting, transparent);
     }
 }
