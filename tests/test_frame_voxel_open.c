@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/indirect/voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_ray.h"
 #include "tests/frame/voxel_points.h"
@@ -136,8 +137,8 @@ static void make_surfaces(Place *p)
 {
     FrameVoxels *voxels = &p->render->voxels;
     for (int i = 0; i < p->render->cache.place_count; i++) {
-        assert_true(voxels->waves[i] > 0);
-        voxels->waves[i] = 0;
+        assert_true(voxel_bodies_is_body(voxels, i));
+        voxels->waves[i] = voxel_bodies_surface(p->render, i);
     }
     voxels->wave_count = 0;
     voxels->drawn = false;

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/indirect/voxels.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_voxels.h"
@@ -34,7 +35,7 @@ static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
         const SceneObject *object = &d->scene->objects[i];
         const double *m = object->world_from_local.m;
         Shape shape;
-        if ((object->kind == SCENE_Parallelogram) != sheets)
+        if (voxel_bodies_is_body(&d->render->voxels, d->render->cache.place_of[i]) == sheets)
             continue;
         assert_true(scene_solid(object, &shape));
         for (int k = 0; k < shape.index_count; k++) {
@@ -157,15 +158,34 @@ static Count compare(const FrameVoxelsDrawn *d, const Expected *e)
     return count;
 }
 
+static void make_surfaces(FrameVoxelsDrawn *d)
+{
+    FrameVoxels *voxels = &d->render->voxels;
+    for (int i = 0; i < d->render->cache.place_count; i++)
+        voxels->waves[i] = voxel_bodies_surface(d->render, i);
+    voxels->wave_count = 0;
+    voxels->drawn = false;
+    assert_true(voxel_bodies_has(voxels, &d->render->cache, VOXELS_FINE) && render_frame(d->render));
+    free(d->words);
+    d->words = frame_voxels_level(d, 0);
+}
+
 static void voxels_are_those_of_the_triangles(void **state)
 {
     (void)state;
     static const struct {
         const char *objects;
         int size;
-    } cases[] = {{FRAME_VOXELS_BODIES, 64}, {FRAME_VOXELS_SHEETS, 32}, {FRAME_VOXELS_BODIES FRAME_VOXELS_SHEETS, 64}};
+        bool surfaces; /* all are */
+    } cases[] = {{FRAME_VOXELS_BODIES, 64, false},
+                 {FRAME_VOXELS_SHEETS, 32, false},
+                 {FRAME_VOXELS_BODIES FRAME_VOXELS_SHEETS, 64, false},
+                 {FRAME_VOXELS_BODIES FRAME_VOXELS_FINE, 32, true},
+                 {FRAME_VOXELS_FINE, 64, true}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         FrameVoxelsDrawn d = frame_voxels_drawn(cases[i].objects, cases[i].size);
+        if (cases[i].surfaces)
+            make_surfaces(&d);
         const size_t all = (size_t)d.size * (size_t)d.size * (size_t)d.size;
         Expected e = {calloc(all, 1), calloc(all, 3), d.size};
         Triangles bodies = triangles_of(&d, false), sheets = triangles_of(&d, true);

@@ -14,21 +14,24 @@ typedef struct {
 typedef struct {
     bool closed;
     double volume, area; /* within it; of its triangles */
+    double longest;      /* of its triangles' edges */
 } VoxelShape;
 
 typedef struct {
     VoxelGrid grid;
     int layers, levels; /* the map's: those above are for views alone */
     VoxelShape *shapes; /* by mesh of the cache */
-    /* By place of the cache: 0, a surface; else a body, and the wave in which it is drawn: bodies of one wave are apart, as what is met twice is empty. */
+    /* By place of the cache: 0, a surface; VOXELS_FINE, one of small triangles; else a body, and the wave in which it is drawn: bodies of one wave are apart, as what is met twice is empty. */
     unsigned char *waves;
     int wave_count;
     GLuint within, surface; /* of closed meshes, in the form of the map; of others: R32UI, a word in each layer */
     GLuint map;             /* both; a level above has a texel for 2 x 2, where any of them is full */
     GLuint bricks, buffer;  /* as rays read it: a texture of a buffer's, RG32UI: voxel_bricks.c */
     GLuint framebuffer;
-    Material flip, touch, merge, above, brick; /* into within, surface, the map's lowest level, those above, bricks */
-    bool drawn;                                /* the map holds the scene */
+    Material flip, touch, fine, merge, above, brick; /* into within; surface, both; the map's lowest level, those above, bricks */
+    GLuint fine_places;                              /* a buffer, and what it gets: voxel_fine.c */
+    float (*fine_rows)[3][4];                        /* room for each place of the cache */
+    bool drawn;                                      /* the map holds the scene */
     ScreenPass view;
 } FrameVoxels;
 

@@ -92,7 +92,8 @@ bool pass_voxels_make(Render *render)
     voxels->grid = voxel_grid(render->scene, &render->cache);
     if (!voxel_bodies_measure(render, voxels) || !voxel_bodies_sort(render, voxels))
         return gl_fail(render->gl, "out of memory");
-    return make_textures(render) && make_programs(render) && voxel_bricks_make(render);
+    return make_textures(render) && make_programs(render) && (!render->compute || voxel_fine_make(render)) &&
+           voxel_bricks_make(render);
 }
 
 /* -- drawing */
@@ -145,6 +146,12 @@ static void draw_within(Render *render, int wave)
     gl->Disable(GL_COLOR_LOGIC_OP);
 }
 
+static bool has_surfaces(const Render *render)
+{
+    return voxel_bodies_has(&render->voxels, &render->cache, 0) ||
+           voxel_bodies_has(&render->voxels, &render->cache, VOXELS_FINE);
+}
+
 static void tell_cut(Render *render, int axis)
 {
     const Cache *cache = &render->cache;
@@ -164,7 +171,7 @@ static void draw_surface(Render *render)
         for (int layer = 0; layer < count; layer++)
             gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
     }
-    if (!voxel_bodies_has(voxels, &render->cache, 0))
+    if (!has_surfaces(render))
         return;
     use_layers(render, voxels->within, 0, 0, 1); /* its size is all that is taken of it */
     gl->DrawBuffers(1, (const GLenum[]){GL_NONE});
@@ -175,6 +182,7 @@ static void draw_surface(Render *render)
         tell_cut(render, axis);
         cast(render, axis, 0, NULL);
     }
+    voxel_fine_draw(render);
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
@@ -249,8 +257,7 @@ void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
             matrix[4 * column + k] =
                 (float)((column < 3 ? axes[column][k] : camera->position[k] - grid->low[k]) / grid->edge);
     matrix[15] = 1;
-    material_set_number(&pass->material, "voxel_off",
-                        voxel_bodies_has(&render->voxels, &render->cache, 0) ? OFF_SURFACES : OFF_BODIES);
+    material_set_number(&pass->material, "voxel_off", has_surfaces(render) ? OFF_SURFACES : OFF_BODIES);
     screen_pass_sampler(pass, "voxel_bricks", unit);
     material_set_number(&pass->material, "voxel_size", (float)grid->size);
     material_set(&pass->material, &(MaterialValue){"voxel_from_eye", 16, matrix});
@@ -291,16 +298,18 @@ void pass_voxels_delete(Render *render)
 {
     const GlContext *gl = render->gl;
     FrameVoxels *voxels = &render->voxels;
-    Material *materials[] = {&voxels->flip, &voxels->touch, &voxels->merge, &voxels->above};
+    Material *materials[] = {&voxels->flip, &voxels->touch, &voxels->fine, &voxels->merge, &voxels->above};
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++)
         if (materials[i]->store)
             material_delete(materials[i]);
     voxel_bricks_delete(render);
     gl->DeleteFramebuffers(1, &voxels->framebuffer); /* GL ignores the name 0 */
+    gl->DeleteBuffers(1, &voxels->fine_places);
     gl->DeleteTextures(1, &voxels->within);
     gl->DeleteTextures(1, &voxels->surface);
     gl->DeleteTextures(1, &voxels->map);
     free(voxels->shapes);
     free(voxels->waves);
+    free(voxels->fine_rows);
     *voxels = (FrameVoxels){.layers = 0};
 }

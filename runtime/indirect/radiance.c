@@ -165,7 +165,7 @@ void radiance_sort(Render *render)
     const Cache *cache = &render->cache;
     for (int i = 0; i < cache->place_count; i++) {
         const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid && cache->places[i].cut < 0;
-        render->radiance.casts[i] = render->voxels.waves[i] ? RADIANCE_body
+        render->radiance.casts[i] = voxel_bodies_is_body(&render->voxels, i) ? RADIANCE_body
                                     : closed                ? RADIANCE_closed
                                                             : RADIANCE_surface;
     }

@@ -8,6 +8,8 @@
 
 /* Voxels: of a flat wall as thick as one, each line through middles along the axis that is nearest to its normal has a middle in it. */
 #define THINNEST 1.5
+/* Voxels: no edge is longer of a surface whose triangles are taken one by one, so that none of them takes long, and areas are whole numbers of 32 bits. */
+#define FINEST 8
 
 /* -- meshes */
 
@@ -19,6 +21,16 @@ static void cross(const float *a, const float *b, const float *c, double out[3])
     }
 }
 
+static double distance_of(const Shape *shape, uint32_t a, uint32_t b)
+{
+    double sum = 0;
+    for (int k = 0; k < 3; k++) {
+        const double off = (double)shape->vertices[a].position[k] - shape->vertices[b].position[k];
+        sum += off * off;
+    }
+    return sqrt(sum);
+}
+
 /* Pyramids from the first vertex over all triangles have the volume. */
 static VoxelShape measure(const Shape *shape, ShapeBody body)
 {
@@ -28,6 +40,9 @@ static VoxelShape measure(const Shape *shape, ShapeBody body)
         double face[3];
         cross(a, shape->vertices[shape->indices[i + 1]].position, shape->vertices[shape->indices[i + 2]].position,
               face);
+        for (int k = 0; k < 3; k++)
+            made.longest =
+                fmax(made.longest, distance_of(shape, shape->indices[i + k], shape->indices[i + (k + 1) % 3]));
         made.area += sqrt(face[0] * face[0] + face[1] * face[1] + face[2] * face[2]) / 2;
         for (int k = 0; k < 3; k++)
             made.volume += face[k] * ((double)a[k] - first[k]) / 6;
@@ -80,6 +95,38 @@ static double thickness(const VoxelShape *shape, const SceneMatrix *world_from_l
     return product > 0 && shape->area > 0 ? 2 * shape->volume / shape->area * fabs(determinant) / (product / least) : 0;
 }
 
+/* How much longer a matrix makes anything, at most; of axes that stay across each other, just that. */
+static double stretch(const SceneMatrix *world_from_local)
+{
+    double most = 0;
+    for (int i = 0; i < 3; i++) {
+        double sum = 0;
+        for (int j = 0; j < 3; j++) {
+            const double *a = world_from_local->m + 4 * i, *b = world_from_local->m + 4 * j;
+            sum += fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+        }
+        most = fmax(most, sum);
+    }
+    return sqrt(most);
+}
+
+bool voxel_bodies_is_body(const FrameVoxels *voxels, int place)
+{
+    return voxels->waves[place] && voxels->waves[place] <= VOXELS_WAVES_MOST;
+}
+
+/* What is cut out asks its material, and what the driver displaces has its triangles there alone: both are the rasteriser's. */
+unsigned char voxel_bodies_surface(const Render *render, int number)
+{
+    const FrameVoxels *voxels = &render->voxels;
+    const CachePlace *place = &render->cache.places[number];
+    const double longest = voxels->shapes[place->mesh].longest *
+                           stretch(&render->scene->objects[place->object].world_from_local) / voxels->grid.edge;
+    return render->compute && !place->transparent && !render->cache.displaced[place->mesh].patches && longest <= FINEST
+               ? VOXELS_FINE
+               : 0;
+}
+
 typedef struct {
     VoxelRange range;
     double low; /* along the axis of the sweep */
@@ -110,7 +157,7 @@ VoxelKind voxel_bodies_kind(const Render *render, int number)
     const double thick = thickness(shape, &render->scene->objects[place->object].world_from_local);
     if (!(thick >= THINNEST * voxels->grid.edge))
         return VOXEL_thin;
-    return voxels->waves[number] ? VOXEL_body : VOXEL_crossing;
+    return voxel_bodies_is_body(voxels, number) ? VOXEL_body : VOXEL_crossing;
 }
 
 static int list_bodies(const Render *render, const FrameVoxels *voxels, Body *bodies)
@@ -174,12 +221,13 @@ bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels)
         bodies[i].low = bodies[i].range.low[axis];
     if (count)
         qsort(bodies, (size_t)count, sizeof *bodies, compare);
-    for (size_t i = 0; fine && i < places; i++)
-        voxels->waves[i] = 0;
+    for (int i = 0; fine && i < render->cache.place_count; i++)
+        voxels->waves[i] = voxel_bodies_surface(render, i);
     voxels->wave_count = 0;
     for (int i = 0; i < count; i++) {
         const int wave = wave_of(voxels, &bodies[i], axis, list, &listed);
-        voxels->waves[bodies[i].place] = (unsigned char)wave;
+        if (wave)
+            voxels->waves[bodies[i].place] = (unsigned char)wave;
         voxels->wave_count = wave > voxels->wave_count ? wave : voxels->wave_count;
         if (wave)
             list[listed++] = bodies[i];

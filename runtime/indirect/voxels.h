@@ -8,7 +8,7 @@
 #include "runtime/frame/frame_indirect.h"
 #include "runtime/frame/render_options.h"
 
-enum { VOXELS_LAYERS_MOST = 4, VOXELS_LEVELS_MOST = 10, VOXELS_WAVES_MOST = 8 };
+enum { VOXELS_LAYERS_MOST = 4, VOXELS_LEVELS_MOST = 10, VOXELS_WAVES_MOST = 8, VOXELS_FINE = VOXELS_WAVES_MOST + 1 };
 
 /* Around what fills voxels; without any: around the origin. voxel_grid.c, as is what follows. */
 VoxelGrid voxel_grid(const Scene *scene, const Cache *cache);
@@ -29,7 +29,10 @@ bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels);
 /* What an opaque place of the cache is: a body; or a surface, and why: its mesh is open, it is too thin, it crosses too many others. */
 typedef enum { VOXEL_body, VOXEL_open, VOXEL_thin, VOXEL_crossing, VOXEL_KINDS } VoxelKind;
 VoxelKind voxel_bodies_kind(const Render *render, int place);
-/* Something that fills voxels is in that wave. */
+/* What a place has in `waves` that is no body: 0, or VOXELS_FINE where its triangles are small, and there are programs for these (voxel_fine.c). */
+unsigned char voxel_bodies_surface(const Render *render, int place);
+bool voxel_bodies_is_body(const FrameVoxels *voxels, int place);
+/* Something that fills voxels is in that wave, or is such a surface. */
 bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave);
 
 bool pass_voxels_needed(const Render *render);
@@ -45,6 +48,10 @@ bool pass_voxels_change(Render *render);
  * objects have moved. */
 void pass_voxels_set(const Render *render, int unit, ScreenPass *pass);
 void pass_voxels_delete(Render *render);
+
+/* voxel_fine.c. Adds surfaces of small triangles to the texture `surface`, which is bound as image 0. */
+bool voxel_fine_make(Render *render);
+void voxel_fine_draw(Render *render);
 
 /* voxel_bricks.c. What rays read: room for it, from the map, to a unit, before each run of a pass that reads it. */
 bool voxel_bricks_make(Render *render);

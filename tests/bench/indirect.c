@@ -97,13 +97,13 @@ static int triangles_of(const Place *p)
 
 /* -- slice maps */
 
-static double map_time(const Place *p, int levels)
+static double map_time(const Place *p, int levels, int frames)
 {
     FrameVoxels *voxels = &p->render->voxels;
     const int kept = voxels->levels;
     double least = INFINITY;
     voxels->levels = levels;
-    for (int i = 0; i < FRAMES; i++) {
+    for (int i = 0; i < frames; i++) {
         p->gl->Finish();
         const double begin = bench_now();
         voxels->drawn = false;
@@ -129,12 +129,35 @@ static double bricks_time(const Place *p)
     return least;
 }
 
-/* Bodies are surfaces from now on. */
-static void make_surfaces(const Place *p)
+/* Bodies are surfaces from now on: all drawn, or those of small triangles one by one. */
+static void make_surfaces(const Place *p, bool drawn)
 {
     for (int i = 0; i < p->render->cache.place_count; i++)
-        p->render->voxels.waves[i] = 0;
+        p->render->voxels.waves[i] = drawn ? 0 : voxel_bodies_surface(p->render, i);
     p->render->voxels.wave_count = 0;
+}
+
+/* The lowest level of bricks: so many words, from malloc; NULL: memory ran out. */
+static uint32_t *read_bricks(const Place *p, int words)
+{
+    const int edge = p->render->voxels.grid.size / 4, above = (edge * edge * edge - 1) / 7;
+    uint32_t *made = malloc(sizeof *made * (size_t)words);
+    p->gl->BindBuffer(GL_TEXTURE_BUFFER, p->render->voxels.buffer);
+    if (made)
+        p->gl->GetBufferSubData(GL_TEXTURE_BUFFER, (GLintptr)sizeof *made * 2 * above, (GLsizeiptr)sizeof *made * words,
+                                made);
+    p->gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
+    return made;
+}
+
+/* Voxels that one of two maps alone has full; -1: there is none. */
+static int count_others(const uint32_t *a, const uint32_t *b, int words)
+{
+    int count = a && b ? 0 : -1;
+    for (int i = 0; count >= 0 && i < words; i++)
+        for (uint32_t word = a[i] ^ b[i]; word; word &= word - 1)
+            count++;
+    return count;
 }
 
 static bool measure_maps(GlContext *gl, const Arguments *a)
@@ -142,21 +165,31 @@ static bool measure_maps(GlContext *gl, const Arguments *a)
     static const int details[] = {264, 933};
     printf("\nslice maps of %d voxels along an edge, with bricks: least milliseconds; what the levels above take more, "
            "which "
-           "views show; of bricks alone\n%-10s %10s %10s %8s %10s %10s %10s\n",
-           a->size, "triangles", "bodies", "levels", "share", "surfaces", "levels", "bricks");
+           "views show; surfaces by the rasteriser, and voxels that are others by it; bricks alone\n%-10s %10s %10s "
+           "%8s %10s %10s %8s "
+           "%10s\n",
+           a->size, "triangles", "bodies", "levels", "share", "surfaces", "drawn", "others", "bricks");
     for (int i = 0; i < (a->mesh ? 1 : 2); i++) {
         Place p;
         double times[4];
+        uint32_t *maps[2] = {NULL, NULL};
         if (!open_place(gl, a, details[i], &p))
             return false;
+        const int words = p.render->voxels.grid.size * p.render->voxels.grid.size * (p.render->voxels.grid.size / 32);
         for (int k = 0; k < 4; k++) {
-            times[k] = a->timed ? 1e3 * map_time(&p, k % 2 ? p.render->voxels.levels : 1) : NAN;
-            if (k == 1)
-                make_surfaces(&p);
+            if (k > 1)
+                make_surfaces(&p, k > 2);
+            times[k] = 1e3 * map_time(&p, k == 1 ? p.render->voxels.levels : 1, a->timed ? FRAMES : 1);
+            if (k > 1)
+                maps[k - 2] = read_bricks(&p, words);
+            times[k] = a->timed ? times[k] : NAN;
         }
-        printf("%-10d %10s %10s %7s%% %10s %10s %10s\n", triangles_of(&p), NUMBER(2, times[0]),
+        printf("%-10d %10s %10s %7s%% %10s %10s %8d %10s\n", triangles_of(&p), NUMBER(2, times[0]),
                NUMBER(2, times[1] - times[0]), NUMBER(1, 100 * (times[1] / times[0] - 1)), NUMBER(2, times[2]),
-               NUMBER(2, times[3] - times[2]), NUMBER(2, a->timed ? 1e3 * bricks_time(&p) : NAN));
+               NUMBER(2, times[3]), count_others(maps[0], maps[1], words),
+               NUMBER(2, a->timed ? 1e3 * bricks_time(&p) : NAN));
+        free(maps[0]);
+        free(maps[1]);
         close_place(&p);
     }
     return true;

@@ -21,6 +21,11 @@
     ".1] } }\n"                                                                                                        \
     "- { object: Parallelogram, material: m, u: [.5, 1.5, .3], v: [.4, -.2, 1], transform: { translation: [.9, -1.4, " \
     ".3] } }\n"
+/* Of small triangles, two of one mesh, the second mirrored. */
+#define FRAME_VOXELS_FINE                                                                                              \
+    "- { object: Sphere, detail: 32, material: m, transform: { translation: [.2, 0, 1.013] } }\n"                      \
+    "- { object: Sphere, detail: 32, material: m, transform: { translation: [1.3, -1.2, .4], rotation: [.5, .3, .4], " \
+    "scale: [-.6, .3, .5] } }\n"
 
 /* Drawn once by the view voxels. */
 typedef struct {
