@@ -10,15 +10,24 @@ struct IndirectOrigin {
     vec3 point, normal, from; // from: a little off the surface, where what the picture shows is asked from
     vec3 place, up;           // of the grid's units: the point; from there to where voxelStart says
     float lift;               // the length of `up`, in the eye's units
+    bool full;                // a full voxel is there, as in a corner
+    vec3 seen;                // indirectSeen of `from`
 };
+
+// Where the picture shows a point, in pixels times its distance, and that distance, or 1 where all is as near: `flat_`, and 0 for a direction.
+vec3 indirectSeen(vec3 point, float flat_)
+{
+    float far = indirectIsOrthographic() ? flat_ : -point.z;
+    return vec3(0.5 * (point.xy / indirect_ray.xy + indirect_ray.zw * far), far);
+}
 
 IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
 {
     vec3 place = voxelPlace(point), along = voxelDirection(normal);
     float size = length(along);
     vec3 up = voxelStart(vec3(0.0), along / size);
-    return IndirectOrigin(point, normal, point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal, place, up,
-                          length(up) / size);
+    vec3 from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
+    return IndirectOrigin(point, normal, from, place, up, length(up) / size, voxelAt(place + up), indirectSeen(from, 1.0));
 }
 
 // Where a ray goes on in voxels: off the surface, where voxelStart says.
@@ -37,30 +46,33 @@ IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 {
     float h = origin.lift, cosine = dot(way, origin.normal), aside = 1.0 - cosine;
     vec3 along = origin.place + h * going + aside * origin.up;
-    if (voxelAt(along)) return IndirectStart(origin.place + origin.up, h * cosine, voxelAt(origin.place + origin.up));
-    return IndirectStart(along, h + h * aside * cosine, false);
+    bool within = voxelAt(along);
+    return IndirectStart(within ? origin.place + origin.up : along, within ? h * cosine : h + h * aside * cosine, within && origin.full);
 }
 
 #ifdef INDIRECT_NEAR
-// What the picture shows of a ray's first voxels. Where its places are seen, times their distance, goes on evenly along it.
+// What the picture shows of a ray's first voxels: the first of its places that lies in it. All places are asked, from the last on, which is faster than to stop where drivers run invocations in vectors.
+// Where its places are seen, times their distance, goes on evenly along it.
 bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout IndirectHit hit)
 {
     bool flat_ = indirectIsOrthographic();
-    float radius = indirect_reach.x, step_ = min(indirect_models.x, radius) / float(INDIRECT_STEPS);
-    vec2 scale = 0.5 / indirect_ray.xy, middle = 0.5 * indirect_ray.zw;
-    for (int j = 1; j <= INDIRECT_STEPS; j++) {
+    float radius = indirect_reach.x, step_ = min(indirect_models.x, radius) / float(INDIRECT_STEPS), found = -1.0;
+    vec3 going = indirectSeen(way, 0.0);
+    for (int j = INDIRECT_STEPS; j >= 1; j--) {
         float s = step_ * (float(j) - less);
-        vec3 place = origin.from + s * way;
-        vec2 at = place.xy * (flat_ ? scale : scale / -place.z) + middle;
-        if ((!flat_ && -place.z <= indirect_view.x) || !indirectIsShown(at)) break;
-        float depth = texelFetch(indirect_depth, ivec2(at), 0).x;
-        float behind = (flat_ ? (depth - 1.0) * indirect_view.x : -indirect_view.x / max(depth, 1e-30)) - place.z;
-        if (depth <= 0.0 || behind <= 0.0 || behind > indirect_models.y) continue;
-        hit.t = s / radius;
-        hit.pixel = ivec2(at);
-        return true;
+        vec3 seen = origin.seen + s * going;
+        vec2 at = seen.xy / seen.z;
+        bool shown = (flat_ || seen.z > indirect_view.x) && indirectIsShown(at);
+        ivec2 pixel = shown ? ivec2(at) : ivec2(0);
+        float depth = texelFetch(indirect_depth, pixel, 0).x;
+        float behind = flat_ ? (depth - 1.0) * indirect_view.x - origin.from.z - s * way.z : seen.z * depth - indirect_view.x; // times the depth, of a perspective
+        if (shown && depth > 0.0 && behind > 0.0 && behind <= indirect_models.y * (flat_ ? 1.0 : depth)) {
+            found = s;
+            hit.pixel = pixel;
+        }
     }
-    return false;
+    if (found >= 0.0) hit.t = found / radius;
+    return found >= 0.0;
 }
 #endif
 

@@ -59,24 +59,28 @@ RadianceSum radianceEnd(inout RadianceRay ray)
     vec3 step_ = beside * way / max(max(abs(way.x), abs(way.y)), abs(way.z));
     ivec3 at = ivec3(floor(place + step_)), before = ivec3(floor(place - step_));
     RadianceSum sum = RadianceSum(vec3(0.0), vec3(0.0), 0.0), begun = sum;
-    uint word = ray.full ? radianceWord(ivec3(floor(scale * ray.start))) : 0u, left = word & sides;
-    int node = int(word >> 6), around = 0;
-    for (; left != 0u; left &= left - 1u, node++) radianceAdd(node * RADIANCE_TEXELS, point, way, begun);
+    int around = 0;
+    do {
+        uvec3 words = uvec3(0u);
+        if (around == 0 && ray.full) words.x = radianceWord(ivec3(floor(scale * ray.start)));
+        if (ray.t >= 0.0) words.y = radianceWord(around == 0 ? at : at + ivec3((around - 1) % 3, (around - 1) / 3 % 3, (around - 1) / 9) - 1);
+        if (ray.t >= 0.0 && around == 0 && before != at) words.z = radianceWord(before);
+        ivec3 nodes = ivec3(words >> 6u);
+        words &= sides;
+        for (uint left = words.x | words.y << 6 | words.z << 12; left != 0u; left &= left - 1u) {
+            bool first = (left & sides) != 0u, last = (left & (sides << 6 | sides)) == 0u;
+            radianceAdd((first ? nodes.x : last ? nodes.z : nodes.y) * RADIANCE_TEXELS, point, way, sum);
+            nodes += ivec3(first, !first && !last, last);
+            if ((left & (left - 1u) & sides) == 0u && first) { // the last of those where it begins
+                begun = sum;
+                sum = RadianceSum(vec3(0.0), vec3(0.0), 0.0);
+            }
+        }
+        around++;
+    } while (radiance_shift > 0 && ray.t >= 0.0 && begun.weight <= 0.0 && sum.weight <= 0.0 && around <= 27);
     if (begun.weight > 0.0) {
         ray.t = 0.0;
         return begun;
     }
-    if (ray.t < 0.0) return sum;
-    do {
-        uvec2 words = uvec2(radianceWord(around == 0 ? at : at + ivec3((around - 1) % 3, (around - 1) / 3 % 3, (around - 1) / 9) - 1), 0u);
-        if (around == 0 && before != at) words.y = radianceWord(before);
-        ivec2 nodes = ivec2(words >> 6u);
-        for (uint left = (words.x & sides) | (words.y & sides) << 6; left != 0u; left &= left - 1u) {
-            bool second = (left & sides) == 0u;
-            radianceAdd((second ? nodes.y : nodes.x) * RADIANCE_TEXELS, point, way, sum);
-            nodes += ivec2(!second, second);
-        }
-        around++;
-    } while (radiance_shift > 0 && sum.weight <= 0.0 && around <= 27);
     return sum;
 }
