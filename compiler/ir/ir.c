@@ -32,7 +32,12 @@ Ir *ir_new(Session *session, const Graph *graph)
     return ir;
 }
 
-void ir_done(Ir *ir) { arena_free(&ir->scratch); }
+void ir_done(Ir *ir)
+{
+    arena_free(&ir->scratch);
+    arena_free(&ir->kept);
+    ir->ranges = NULL;
+}
 
 static uint32_t mix_hash(uint32_t hash, uint32_t word)
 {
@@ -77,6 +82,7 @@ static uint32_t hash_node(const IrNode *node, const Ref *args)
 
 void ir_rehash(Ir *ir)
 {
+    ir->ranges = NULL;
     for (Ref ref = 1; ref < ir->count; ref++) {
         IrNode *node = &ir->nodes[ref];
         if (node->op != OP_const) /* a constant's hash is that of its numbers */

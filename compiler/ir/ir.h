@@ -56,6 +56,7 @@ typedef struct {
     uint8_t op, type, count; /* Op, Type, operands */
     uint8_t head : 1;        /* it is the value of its origin's map or slot, not a step on the way; for names only */
     uint8_t simple : 1;      /* no local rule changes it: opt_simplify was asked */
+    uint8_t decided : 1;     /* no interval decides it: opt_range was asked */
     uint32_t origin;         /* what it was made for; for names and comments only */
     uint32_t first;          /* of its operands in args */
     uint32_t payload;        /* what op_payload says */
@@ -117,6 +118,9 @@ typedef struct Ir {
     Session *session;
     Arena *arena;
     Arena scratch; /* of the sweep under way; reset by it, freed by ir_done */
+    Arena kept;    /* of what is known from sweep to sweep; freed by ir_done */
+    const struct Ranges
+        *ranges; /* those that were found last, while nodes keep their numbers; NULL: none. By opt_range alone */
     IrNode *nodes;
     size_t count, room;
     Ref *args;
@@ -191,7 +195,7 @@ int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
 enum { KERNEL_POINTS = 27 }; /* of a function that a kernel sums */
 
-/* Builds the hash table anew after nodes moved. */
+/* Builds the hash table anew after nodes moved or were changed. */
 void ir_rehash(Ir *ir);
 /* Marks the nodes that the outputs reach, through functions too: live[ref]. */
 uint8_t *ir_live(const Ir *ir, Arena *arena);

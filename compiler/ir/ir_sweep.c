@@ -3,6 +3,7 @@
 
 /* What stands for old nodes and functions during a sweep. */
 typedef struct {
+    bool any;
     Ref *node;
     uint32_t *function;    /* a function whose result changed is a new one: its calls then come after the new result */
     int *by_result, *next; /* functions of a result: head by Ref, from 1; then the next with the same */
@@ -27,6 +28,8 @@ static Moves new_moves(const Ir *ir, Arena *scratch)
 
 static Ref remake(Ir *ir, Ref ref, const Moves *moves)
 {
+    if (!moves->any)
+        return ref;
     IrNode node = ir->nodes[ref];
     Ref args[UINT8_MAX];
     if (ir_applies(ir, ref))
@@ -64,7 +67,6 @@ bool ir_sweep_live(Ir *ir, const uint8_t *live, IrRewrite *rewrite, const void *
 {
     Moves moves = new_moves(ir, &ir->scratch);
     Ref count = (Ref)ir->count;
-    bool changed = false;
     for (Ref ref = 1; ref < count; ref++) {
         if (!live[ref])
             continue;
@@ -74,12 +76,12 @@ bool ir_sweep_live(Ir *ir, const uint8_t *live, IrRewrite *rewrite, const void *
         moves.node[ref] = better;
         if (better == ref)
             continue;
-        changed = true;
+        moves.any = true;
         if (head && !ir->nodes[better].head && ir->nodes[better].origin == ir->origin)
             ir->nodes[better].head = 1;
         move_functions(ir, &moves, ref, better);
     }
     for (int i = 0; i < ir->output_count; i++)
         ir->outputs[i].value = moves.node[ir->outputs[i].value];
-    return changed;
+    return moves.any;
 }

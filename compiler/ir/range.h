@@ -4,7 +4,7 @@
 #include "compiler/ir/interval.h"
 #include "compiler/ir/ir.h"
 
-typedef struct {
+typedef struct Ranges {
     Interval *of;          /* of each node that was looked at as many as it has lanes, or one */
     uint32_t *first;       /* by Ref: where in `of` its own begin; 0: it may be anything */
     Ref count;             /* of nodes when they were found */
@@ -16,8 +16,10 @@ typedef struct {
 
 /* Of all nodes, in the arena, where they are to be found. Arithmetic that rounds may pass a bound by a rounding's worth: 1e-5 of it. */
 Ranges range_find(const Ir *ir, Arena *arena, int lanes);
-/* Of nodes that outputs need; any other may be anything. */
-Ranges range_find_live(const Ir *ir, Arena *arena, int lanes, const uint8_t *live);
+/* Of live nodes; any other may be anything. What was found before of nodes that are there still is not found again; NULL: nothing was. */
+Ranges range_find_live(const Ir *ir, Arena *arena, int lanes, const uint8_t *live, const Ranges *before);
+/* Something was found of it. */
+static inline bool range_is_found(const Ranges *r, Ref ref) { return ref < r->count && r->first[ref]; }
 /* Of what some values are made of. */
 Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count);
 /* The interval of such a node holds to the last bit. */

@@ -1,6 +1,7 @@
 /* The intervals of all nodes that are asked for, operands first. */
 #include "compiler/ir/range.h"
 #include <math.h>
+#include <string.h>
 
 static bool compares(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_lt) || ir_is(ir, ref, OP_le); }
 
@@ -47,27 +48,41 @@ static Ranges make_room(const Ir *ir, Arena *arena, int lanes, Ref count, const 
     return r;
 }
 
-static Ranges find(const Ir *ir, Arena *arena, int lanes, Ref count, const uint8_t *live)
+/* Of as many lanes as `r` keeps. */
+static void keep_found(Ranges *r, const Ir *ir, Ref ref, const Ranges *before)
 {
-    Ranges r = make_room(ir, arena, lanes, count, live);
+    memcpy(&r->of[r->first[ref]], &before->of[before->first[ref]], sizeof *r->of * (size_t)kept_lanes(r, ir, ref));
+}
+
+static void compute(Ranges *r, const Ir *ir, Ref ref)
+{
+    for (int lane = 0; lane < kept_lanes(r, ir, ref); lane++) {
+        const Interval range = range_computed(r, ir, ref, lane);
+        const bool none = isnan(range.low) || isnan(range.high);
+        r->of[r->first[ref] + (uint32_t)lane] = none ? everything : range;
+    }
+}
+
+static Ranges find(const Ir *ir, Arena *arena, Ranges r, const Ranges *before)
+{
+    const int lanes = r.lanes;
     if (lanes > 1) { /* all lanes as one know no guards */
         r.seen = range_seen_new(arena);
         r.marks = mark_compared(ir, arena, &r);
     }
-    for (Ref ref = 1; ref < count; ref++)
-        for (int lane = 0; r.first[ref] && lane < kept_lanes(&r, ir, ref); lane++) {
-            const Interval range = range_computed(&r, ir, ref, lane);
-            const bool none = isnan(range.low) || isnan(range.high);
-            r.of[r.first[ref] + (uint32_t)lane] = none ? everything : range;
-        }
+    for (Ref ref = 1; ref < r.count; ref++)
+        if (r.first[ref] && before && range_is_found(before, ref))
+            keep_found(&r, ir, ref, before);
+        else if (r.first[ref])
+            compute(&r, ir, ref);
     return r;
 }
 
-Ranges range_find(const Ir *ir, Arena *arena, int lanes) { return find(ir, arena, lanes, (Ref)ir->count, NULL); }
+Ranges range_find(const Ir *ir, Arena *arena, int lanes) { return range_find_live(ir, arena, lanes, NULL, NULL); }
 
-Ranges range_find_live(const Ir *ir, Arena *arena, int lanes, const uint8_t *live)
+Ranges range_find_live(const Ir *ir, Arena *arena, int lanes, const uint8_t *live, const Ranges *before)
 {
-    return find(ir, arena, lanes, (Ref)ir->count, live);
+    return find(ir, arena, make_room(ir, arena, lanes, (Ref)ir->count, live), before);
 }
 
 Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count)
@@ -79,5 +94,5 @@ Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots,
     for (int i = 0; i < count; i++)
         live[roots[i]] = 1;
     ir_live_below(ir, live, last);
-    return find(ir, arena, lanes, last + 1, live);
+    return find(ir, arena, make_room(ir, arena, lanes, last + 1, live), NULL);
 }

@@ -35,7 +35,7 @@ typedef struct {
     Ir *ir;       /* NULL: it failed, or went */
     MapList seen; /* the maps that may be averaged */
     int below;    /* which index they are */
-    int cost;
+    int cost;     /* where there are any */
 } Trial;
 
 static DiagList copy_of_diags(Arena *arena, const DiagList *diags)
@@ -59,7 +59,7 @@ static void try_below(Trial *trial, const LowerRequest *what, int below)
     LowerRequest own = *what;
     own.session = &trial->session;
     trial->ir = lower_averaging(&own, below, &trial->seen);
-    if (trial->ir)
+    if (trial->ir && trial->seen.count)
         ir_measure(trial->ir, &nodes, &trial->cost);
 }
 

@@ -54,8 +54,18 @@ static Ref settle(Ir *ir, Ref ref, const void *user)
     return build_select(ir, ir_arg(ir, ref, 0), ir_arg(ir, ref, 1), ir_arg(ir, ref, 2));
 }
 
+static bool has_guard(const Ir *ir)
+{
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (build_is_guard(ir, ref))
+            return true;
+    return false;
+}
+
 bool opt_guard(Ir *ir)
 {
+    if (!has_guard(ir))
+        return false;
     Guards g = {.uses = opt_uses(ir, &ir->scratch).uses, .own = ARENA_ARRAY(&ir->scratch, uint32_t, ir->count)};
     bool any = false;
     for (Ref ref = 1; ref < ir->count; ref++) {

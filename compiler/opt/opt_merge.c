@@ -60,9 +60,13 @@ static void keep(Ir *ir, HashIndex *gradients, Ref ref)
 bool opt_merge(Ir *ir)
 {
     HashIndex gradients = {0};
-    const uint8_t *live = ir_live(ir, &ir->scratch);
-    for (Ref ref = 1; ref < ir->count; ref++)
-        if (live[ref] && ir_is(ir, ref, OP_call) && ir_type(ir, ref) == TYPE_vec4)
+    const uint8_t *live = NULL;
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        if (!ir_is(ir, ref, OP_call) || ir_type(ir, ref) != TYPE_vec4)
+            continue;
+        live = live ? live : ir_live(ir, &ir->scratch);
+        if (live[ref])
             keep(ir, &gradients, ref);
+    }
     return gradients.count && ir_sweep(ir, merge, &gradients);
 }

@@ -11,7 +11,7 @@ enum { MOST_LANES = 4 };
 
 /* What the sweep goes by. */
 typedef struct {
-    Ranges ranges;
+    const Ranges *ranges;
     const bool **
         steps; /* by Ref: a floor, ceil or sign is in it, which a rounding beyond an end may take a whole step further; NULL: nobody asked */
 } Known;
@@ -76,16 +76,16 @@ static Ref only_value(Ir *ir, Ref ref, const Known *known)
 {
     const Type type = ir_type(ir, ref);
     double lanes[MOST_LANES] = {0};
-    if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) || ref >= known->ranges.count)
+    if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) || ref >= known->ranges->count)
         return ref;
     for (int i = 0; i < ir_lanes(ir, ref); i++) {
-        const Interval range = range_of(&known->ranges, ir, ref, i);
+        const Interval range = range_of(known->ranges, ir, ref, i);
         if (!is_point(range))
             return ref;
         lanes[i] = range.low;
     }
     if (!*known->steps)
-        *known->steps = find_steps(ir, known->ranges.count);
+        *known->steps = find_steps(ir, known->ranges->count);
     return (*known->steps)[ref] ? ref : ir_const(ir, type, lanes);
 }
 
@@ -93,12 +93,14 @@ static Ref only_value(Ir *ir, Ref ref, const Known *known)
 static Ref decide(Ir *ir, Ref ref, const void *user)
 {
     const Known *known = user;
-    Site site = {ir, &known->ranges, 0};
+    Site site = {ir, known->ranges, 0};
     bool holds; /* of all lanes */
     int lanes;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;
     Ref c = node.count > 2 ? ir_arg(ir, ref, 2) : 0, found;
+    if (node.decided)
+        return ref;
     switch (node.op) {
 #define ON(op) case OP_##op:
 #define BOUND(condition, result, why)                                                                                  \
@@ -111,13 +113,18 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
     default:
         break;
     }
-    return only_value(ir, ref, known);
+    const Ref only = only_value(ir, ref, known);
+    ir->nodes[ref].decided = only == ref && range_is_found(known->ranges, ref);
+    return only;
 }
 
 bool opt_range(Ir *ir)
 {
     const uint8_t *live = ir_live(ir, &ir->scratch);
     const bool *steps = NULL;
-    const Known known = {range_find_live(ir, &ir->scratch, MOST_LANES, live), &steps};
+    Ranges *ranges = ARENA_NEW(&ir->kept, Ranges);
+    *ranges = range_find_live(ir, &ir->kept, MOST_LANES, live, ir->ranges);
+    const Known known = {ranges, &steps};
+    ir->ranges = ranges;
     return ir_sweep_live(ir, live, decide, &known);
 }
