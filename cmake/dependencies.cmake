@@ -35,5 +35,7 @@ endif()
 set(matc_system stdc++ pthread m) # glslang is C++
 if(NOT matc_missing AND NOT TARGET matc::private)
   add_library(matc::private INTERFACE IMPORTED GLOBAL)
-  target_link_libraries(matc::private INTERFACE ${matc_glslang} ${OPENEXR_CORE} PkgConfig::matc_needs ${matc_system})
+  # a target with MATC_OWN_CXX brings the library of C++ itself
+  list(TRANSFORM matc_system REPLACE "^stdc\\+\\+$" "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:MATC_OWN_CXX>>>:stdc++>" OUTPUT_VARIABLE matc_linked)
+  target_link_libraries(matc::private INTERFACE ${matc_glslang} ${OPENEXR_CORE} PkgConfig::matc_needs ${matc_linked})
 endif()

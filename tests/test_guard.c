@@ -1,4 +1,4 @@
-/* A Blend's costly item is computed where it shows alone, wherever it stands; what is computed anyhow has no branch. */
+/* A Blend's costly item, and a Mix's costly side, are computed where they show alone, wherever they stand; what is computed anyhow has no branch. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -108,6 +108,42 @@ static void an_item_branches_wherever_it_stands(void **state)
     }
 }
 
+/* Around calls of a Mix by a mask that is 0, something between, and 1. */
+static void expect_depths(const char *sides, int granite, int turbulence)
+{
+    char text[2048];
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = true;
+    snprintf(text, sizeof text, "material: MixMaterial\nmask: \"= smoothstep(.4, .6, u)\"\n%s", sides);
+    MatcDocument *document = matc_read("mix.yaml", text, strlen(text), &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    if (!matc_ok(program))
+        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+    const char *fragment = matc_output(program, MATC_FRAGMENT, NULL);
+    const int found[] = {depth_of(fragment, "granite("), depth_of(fragment, "vectorTurbulence(")};
+    if (found[0] != granite || found[1] != turbulence)
+        fail_msg("%s\n%s\n%d and %d braces around granite and turbulence", text, fragment, found[0], found[1]);
+    assert_int_equal(depth_of(fragment, "if (") > 0, granite > 1 || turbulence > 1);
+    matc_program_free(program);
+    matc_document_free(document);
+}
+
+/* Each side where the mask shows it; one that stands in two slots of its side once. What both sides need, and what is cheap, has no branch. */
+static void a_side_of_a_mix_is_computed_where_it_shows(void **state)
+{
+    (void)state;
+#define NOISE "{ map: Wood, input: { map: Turbulence, octaves: 4 } }"
+    expect_depths("a: { material: Phong, diffuse: { map: Granite } }\nb: { material: Phong, diffuse: " NOISE " }\n", 2,
+                  2);
+    expect_depths("a: { material: Phong, diffuse: &g { map: Granite }, specular: *g }\nb: { material: Phong }\n", 2,
+                  -1);
+    expect_depths("a: { material: Phong, diffuse: red }\nb: { material: Principled, baseColor: " NOISE " }\n", -1, 2);
+    expect_depths("a: { material: Phong, diffuse: &g { map: Granite } }\nb: { material: Phong, specular: *g }\n", 1,
+                  -1);
+    expect_depths("a: { material: Phong, diffuse: { map: Checker } }\nb: { material: Phong, diffuse: red }\n", -1, -1);
+}
+
 /* What the reflection says of the transparency of a map, and whether a program stores it. */
 static void expect_opacity(const char *map, const char *aa, const char *wanted, bool stored)
 {
@@ -186,6 +222,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_guard_stays_where_it_spares_something),
         cmocka_unit_test(an_item_branches_wherever_it_stands),
+        cmocka_unit_test(a_side_of_a_mix_is_computed_where_it_shows),
         cmocka_unit_test(opaque_items_are_opaque_together),
         cmocka_unit_test(opaque_colors_of_checkers_are_opaque_together),
     };

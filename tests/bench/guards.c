@@ -44,6 +44,16 @@ static bool is_guard(const Ir *ir, Ref ref)
     return false;
 }
 
+/* Every slot's program moves the vertices: of one alone that counts. */
+static void drop_displacement(Ir *ir)
+{
+    int kept = 0;
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind != OUT_displacement)
+            ir->outputs[kept++] = ir->outputs[i];
+    ir->output_count = kept;
+}
+
 static int count_of(const MatcOptions *options, const Graph *graph, const Node *material, int level)
 {
     int count = 0;
@@ -54,7 +64,9 @@ static int count_of(const MatcOptions *options, const Graph *graph, const Node *
         choice_job(&(MatcOptions){.pass = "value"}, &job);
         job.slot = (Slot)slot;
         job.choice[AXIS_aa] = CHOICE_aa_none;
-        const Ir *ir = slot == SLOT_normal ? NULL : compile_ir(&session, graph, material, &job);
+        Ir *ir = slot == SLOT_normal ? NULL : compile_ir(&session, graph, material, &job);
+        if (ir && slot != SLOT_diffuse)
+            drop_displacement(ir);
         const uint8_t *live = ir ? ir_live(ir, &arena) : NULL;
         for (Ref ref = 1; ir && ref < ir->count; ref++)
             count += live[ref] && is_guard(ir, ref);
