@@ -3,6 +3,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 enum { FIRST_BLOCK = 16 * 1024, LARGEST_BLOCK = 4 * 1024 * 1024, ALIGNMENT = 16 };
 
@@ -124,4 +127,12 @@ void arena_free(Arena *arena)
         free(block);
     }
     *arena = (Arena){0};
+}
+
+void arena_keep_pages(void)
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 4 * LARGEST_BLOCK);
+    mallopt(M_TRIM_THRESHOLD, ARENA_MOST_KEPT);
+#endif
 }

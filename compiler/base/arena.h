@@ -25,6 +25,11 @@ void arena_free(Arena *arena);
 /* What another arena holds lives as long as this one; the other one is empty then. */
 void arena_adopt(Arena *arena, Arena *other);
 
+/* For a process that compiles again and again: what arenas give back stays with it, up to ARENA_MOST_KEPT bytes of them, and its pages are taken
+ * as they are. glibc would give them to the system at once, and fetch each anew. The library leaves that to its process. */
+enum { ARENA_MOST_KEPT = 256 * 1024 * 1024 };
+void arena_keep_pages(void);
+
 #define ARENA_NEW(arena, Type)          ((Type *)arena_zero(arena, sizeof(Type)))
 #define ARENA_ARRAY(arena, Type, count) ((Type *)arena_zero(arena, sizeof(Type) * (size_t)(count)))
 /* Appends to a {Type *at; size_t count, room} list. */

@@ -274,6 +274,7 @@ int main(int argc, char **argv)
     BatchResult result;
     const char *fault;
     int status = FINE;
+    arena_keep_pages();
     if (!read_command_line(&line, argc, argv, &fault)) {
         status = main_usage(&line, fault);
         options_free(&line);
