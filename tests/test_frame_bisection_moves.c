@@ -99,11 +99,37 @@ static void what_else_changes_counts(void **state)
     bisection_body_end(&b);
 }
 
+/* Where a driver has more threads than a processor has, nine of them have a height each, and groups go on to what is left: what they find is the same. */
+static void threads_beside_each_other_find_the_same(void **state)
+{
+    GlContext *gl = ((const BisectionBodies *)*state)->gl;
+    BisectionBody b[2];
+    for (int wide = 0; wide < 2; wide++) {
+        gl->hardware = wide;
+        b[wide] = bisection_body_begin(*state, "pixels: 4, triangles: 1500", bisection_bodies[2]);
+    }
+    for (int view = 0; view < 2; view++) {
+        uint64_t *leaves[2];
+        int counts[2];
+        for (int wide = 0; wide < 2; wide++) {
+            gl->hardware = wide;
+            bisection_body_look(&b[wide].scene->camera, 1 + view, 8, 1.8 + view);
+            leaves[wide] = bisection_body_leaves(&b[wide], &counts[wide]);
+        }
+        assert_true(counts[0] > 100);
+        assert_int_equal(bisection_body_others(leaves[0], counts[0], leaves[1], counts[1]), 0);
+        free(leaves[0]), free(leaves[1]);
+    }
+    gl->hardware = false;
+    bisection_body_end(&b[0]), bisection_body_end(&b[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(little_moves_do_not_matter),
         cmocka_unit_test(what_else_changes_counts),
+        cmocka_unit_test(threads_beside_each_other_find_the_same),
     };
     return cmocka_run_group_tests(tests, bisection_bodies_open, bisection_bodies_close);
 }

@@ -60,6 +60,12 @@ const uint BISECT_SPLITS = 64u / BISECT_LANES;
 // Flags of a leaf: its parent need not be bisected, it was chosen in this round, it is to be bisected, it is in the list of those that are asked next. They stay from view to view.
 const uint FLAG_LESS = 1u, FLAG_CHOSEN = 2u, FLAG_WANTED = 4u, FLAG_ASKED = 8u;
 
+// What a thread has to do, of tasks for groups.
+uint bisectTask(uint group)
+{
+    return 64u * group + gl_LocalInvocationIndex;
+}
+
 uint bisectWord(uint list, uint i)
 {
     return BISECT_HEAD + list * uint(bisect_room) + i;

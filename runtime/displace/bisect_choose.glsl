@@ -1,7 +1,7 @@
 // Which leaves are bisected now: all at an edge together, and only those of whom each has it as the edge that is bisected. Where one has not, that one comes first, and so on; what was asked for waits.
-void bisectStage()
+void bisectStage(uint group)
 {
-    uint i = gl_GlobalInvocationID.x, swapped = bisect_work[SWAPPED];
+    uint i = bisectTask(group), swapped = bisect_work[SWAPPED];
     if (i >= bisect_work[WANTED] || bisect_work[MERGED_ALL] == 0u)
         return;
     uint slot = bisect_work[bisectWord(LIST_WANTED + swapped, i)], at = slot;

@@ -1,9 +1,9 @@
 // Looks at leaves: each is to be bisected, or with its sibling to become its parent. A fresh look puts what there is into the table, and places that are free into their list; else both are there.
 uniform int bisect_fresh;
 
-void bisectStage()
+void bisectStage(uint group)
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = bisectTask(group);
     if (i >= BISECT_TILE * bisect_work[CHOSEN])
         return;
     uint slot = BISECT_TILE * bisect_work[bisectWord(LIST_CHOSEN, i / BISECT_TILE)] + i % BISECT_TILE;

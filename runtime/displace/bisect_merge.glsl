@@ -16,9 +16,9 @@ void bisectTake(uint slot)
 }
 
 // Who cannot leaves the list. It is asked again when another of its ring has become a leaf, and else never.
-void bisectStage()
+void bisectStage(uint group)
 {
-    uint i = gl_GlobalInvocationID.x, swapped = bisect_work[SWAPPED];
+    uint i = bisectTask(group), swapped = bisect_work[SWAPPED];
     if (i >= bisect_work[MERGING])
         return;
     uint slot = bisect_work[bisectWord(LIST_MERGING + swapped, i)];
@@ -58,9 +58,9 @@ void bisectAskAgain(uint base, uint number)
         bisectAsk(first);
 }
 
-void bisectStage()
+void bisectStage(uint group)
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = bisectTask(group);
     if (i >= bisect_work[CHOSEN])
         return;
     uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)];

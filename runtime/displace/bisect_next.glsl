@@ -46,11 +46,31 @@ void bisectNext()
     bisectSet(GROUPS, bisect_work[FULL] != 0u ? 0u : bisect_work[bisect_work[MERGED_ALL] != 0u ? WANTED : MERGING], 64u);
 }
 
+// For how many groups there are tasks.
+uint bisectGroups()
+{
+#if BISECT_STEP == 5
+    return (bisect_work[HIGH] + 64u * BISECT_TILE - 1u) / (64u * BISECT_TILE);
+#else
+    return bisect_work[BISECT_STEP == 2 || BISECT_STEP == 4 ? GROUPS_CHOSEN : GROUPS];
+#endif
+}
+
 void main()
 {
-    bisectStage();
+#ifdef BISECT_WIDE
+    // As many groups as the device runs at once, whatever there is to do: it waits longer for their number than for those that have nothing to do.
+    uint groups = bisectGroups();
+    for (uint group = gl_WorkGroupID.x; group < groups; group += gl_NumWorkGroups.x)
+        bisectStage(group);
+    memoryBarrierBuffer();
+    barrier();
+    bool last = gl_LocalInvocationIndex == 0u && atomicAdd(bisect_work[DONE], 1u) == gl_NumWorkGroups.x - 1u;
+#else
+    bisectStage(gl_WorkGroupID.x);
     memoryBarrierBuffer();
     bool last = atomicAdd(bisect_work[DONE], 1u) == 64u * gl_NumWorkGroups.x - 1u;
+#endif
     memoryBarrierBuffer();
     if (last) {
         bisect_work[DONE] = 0u;

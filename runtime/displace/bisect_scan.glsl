@@ -1,9 +1,9 @@
 // Which tiles of leaves are looked at: those that the camera has moved far enough for, or all.
 uniform int bisect_fresh; // 1: nothing is known of any view before
 
-void bisectStage()
+void bisectStage(uint group)
 {
-    uint tile = gl_GlobalInvocationID.x;
+    uint tile = bisectTask(group);
     if (BISECT_TILE * tile >= bisect_work[HIGH])
         return;
     uint due = bisectWord(LIST_DUE, tile);

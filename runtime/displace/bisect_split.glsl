@@ -235,10 +235,13 @@ void bisectMakeChild(uint child, uint at, uint slot, Leaf leaf, Corners t)
     bisectMade(base, slot, made, bisectChild(t, child), wants);
 }
 
-void bisectStage()
+void bisectStage(uint group)
 {
-    uint lane = gl_LocalInvocationIndex % BISECT_LANES, local = gl_LocalInvocationIndex / BISECT_LANES, i = BISECT_SPLITS * gl_WorkGroupID.x + local,
+    uint lane = gl_LocalInvocationIndex % BISECT_LANES, local = gl_LocalInvocationIndex / BISECT_LANES, i = BISECT_SPLITS * group + local,
          at = SPLIT_POINTS * local, slot = 0u, place = 0u;
+#ifdef BISECT_WIDE
+    barrier(); // those that the group bisected before are made
+#endif
     bool there = local < BISECT_SPLITS && i < bisect_work[CHOSEN] && bisect_work[FULL] == 0u;
     Leaf leaf;
     Corners t;

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS, GROUP = 64, LEAST_ROOM = 1 << 12 };
+enum { ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS, GROUP = 64, WIDE_GROUPS = 256, LEAST_ROOM = 1 << 12 };
 
 /* -- stages */
 
@@ -26,9 +26,10 @@ static void bind(const Displaced *d, const Mesh *mesh)
     gl->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, b->buffers[BISECTION_WORK]);
 }
 
+/* What a stage wrote is read by the next; on a device counts are as well, and a barrier for what commands read would take it longer than a stage. */
 static void finish(const GlContext *gl)
 {
-    gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | (gl->hardware ? 0 : GL_COMMAND_BARRIER_BIT));
 }
 
 static void dispatch(const Displaced *d, Material *stage, GLuint count)
@@ -39,12 +40,15 @@ static void dispatch(const Displaced *d, Material *stage, GLuint count)
     finish(gl);
 }
 
-/* As many groups as stand in the head. */
+/* As many groups as stand in the head; or as many as a device runs at once, each of which does what is left. */
 static void dispatch_counted(const Displaced *d, Material *stage, int groups)
 {
     const GlContext *gl = displaced_context(d);
     material_use(stage);
-    gl->DispatchComputeIndirect((GLintptr)((size_t)groups * sizeof(GLuint)));
+    if (gl->hardware)
+        gl->DispatchCompute(WIDE_GROUPS, 1, 1);
+    else
+        gl->DispatchComputeIndirect((GLintptr)((size_t)groups * sizeof(GLuint)));
     finish(gl);
 }
 
@@ -61,6 +65,7 @@ static void read_head(const Displaced *d)
 {
     Bisection *b = d->own;
     const GlContext *gl = displaced_context(d);
+    gl->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     copy_head(d, b->buffers[BISECTION_WORK], b->head_copy);
     gl->GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof b->head, b->head);
 }
@@ -131,7 +136,6 @@ static bool update(Displaced *d)
     if (fresh)
         begin_anew(d, pixels);
     write_head(d, high, fresh ? 0 : b->head[BISECTION_FREE]);
-    finish(displaced_context(d));
     bisection_set_number(d, "bisect_pixels", pixels);
     bisection_set_number(d, "bisect_fresh", fresh);
     bisection_set_number(d, "bisect_gone", b->gone);
