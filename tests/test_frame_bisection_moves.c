@@ -39,7 +39,7 @@ static void little_moves_do_not_matter(void **state)
         double step, turn, lamp[3]; /* a point; of no length: far away */
     } rows[] = {{0, false, .01, 0, {0}},
                 {0, false, 0, .02, {0}},
-                {1, false, .01, .01, {-1, 1.5, 1}},
+                {1, false, .04, .01, {-1, 1.5, 1}},
                 {2, true, .01, .003, {0}},
                 {4, false, .01, 0, {0}}};
     enum { VIEWS = 30 };

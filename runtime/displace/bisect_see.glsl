@@ -68,15 +68,19 @@ float bisectBeyond(vec4 side, vec3 middle, vec3 extent)
     return -(dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent));
 }
 
-// Normals of all three corners look away from the eye, or a light, from wherever in the box.
+// Normals of all three corners look away from the eye, or a light, from wherever in the box, by so much that what rises there is not seen over the horizon.
+const float BISECT_BEHIND = 0.6; // the sine of the angle: what rises by a quarter of a ball's radius is seen from no farther behind
 float bisectAway(BisectBase at, Corners t, vec4 eye, vec3 middle, vec3 extent)
 {
     float away = bisect_closed != 0 ? BISECT_SURE : -BISECT_SURE;
+    vec3 to = middle * eye.w - eye.xyz;
+    float far = length(abs(to) + extent * eye.w);
     for (int k = 0; k < bisect_closed; k++) {
         vec3 normal = bisectMixed(at.normals, k == 0 ? t.a : k == 1 ? t.b : t.c);
-        away = min(away, -(dot(normal, eye.xyz - middle * eye.w) + dot(abs(normal), extent) * eye.w) / max(length(normal), 1e-30));
+        float longest = max(max(length(at.normals[0]), length(at.normals[1])), max(length(at.normals[2]), 1e-30));
+        away = min(away, (dot(normal, to) - dot(abs(normal), extent) * eye.w) / longest - BISECT_BEHIND * far);
     }
-    return away;
+    return away / (1.0 + BISECT_BEHIND);
 }
 
 #ifdef BISECT_LIGHTS

@@ -1,5 +1,6 @@
 /* A mesh that is bisected as bisect.glsl says, without what a driver does for it: scene_bisection.c splits, points go where matc_move has them, numbers are doubles. */
 #include "tests/frame/bisection_reference.h"
+#include "tests/frame/bisection_seen.h"
 #include "runtime/scene/scene_bisection.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -205,97 +206,16 @@ static uint64_t leaf_of(const SceneBisectionTriangle *t, int first)
     return (uint64_t)t->base << 32 | number;
 }
 
-/* How far a box is from a point. */
-static double box_far(const double at[3], const double low[3], const double high[3])
-{
-    double square = 0;
-    for (int i = 0; i < 3; i++) {
-        const double away = fmax(fmax(low[i] - at[i], at[i] - high[i]), 0);
-        square += away * away;
-    }
-    return sqrt(square);
-}
-
-/* The same from a line, by thirds, which leave out the worse: the distance has one minimum there. */
-static double line_far(const double from[3], const double way[3], double last, const double low[3],
-                       const double high[3])
-{
-    double begin = 0, far[2] = {0};
-    for (int step = 0; step < 80; step++) {
-        double at[3];
-        for (int k = 0; k < 2; k++) {
-            const double s = begin + (last - begin) * (k + 1) / 3;
-            for (int i = 0; i < 3; i++)
-                at[i] = from[i] + s * way[i];
-            far[k] = box_far(at, low, high);
-        }
-        if (far[0] < far[1])
-            last -= (last - begin) / 3;
-        else
-            begin += (last - begin) / 3;
-    }
-    return fmin(far[0], far[1]);
-}
-
-/* How much of a side's room there is for a point: less than 0 is beyond it. */
-static double room_at(const SceneCamera *c, int side, const double way[3])
-{
-    const double depth = -scene_vector_dot(way, c->back);
-    const double across = scene_vector_dot(way, side < 3 ? c->right : c->up);
-    return !side ? depth : c->half * depth - (side % 2 ? across : -across);
-}
-
-typedef struct {
-    double low[3], high[3];
-    const double (*normal)[3]; /* of its three corners */
-    bool closed;
-} Box;
-
-/* No point of the box throws a shadow into view: each of its corners', near and as far as can be told, is beyond one side; or all of it is turned away from the light. */
-static bool casts_nothing(const SceneCamera *c, const SceneLight *light, const Box *box)
-{
-    int beyond[5] = {0}, away[3] = {0};
-    for (int i = 0; i < 8; i++) {
-        double at[3], ray[3], to[2][3];
-        for (int k = 0; k < 3; k++) {
-            at[k] = i >> k & 1 ? box->high[k] : box->low[k];
-            ray[k] = light->kind == SCENE_Directional ? light->direction[k] : at[k] - light->position[k];
-            to[0][k] = at[k] - c->position[k];
-            to[1][k] = to[0][k] + 1e6 * ray[k];
-        }
-        for (int side = 0; side < 5; side++)
-            beyond[side] += room_at(c, side, to[0]) < 0 && room_at(c, side, to[1]) < 0;
-        for (int k = 0; k < 3; k++)
-            away[k] += scene_vector_dot(box->normal[k], ray) > 0;
-    }
-    bool hidden = box->closed && away[0] == 8 && away[1] == 8 && away[2] == 8;
-    for (int i = 0; i < 5; i++)
-        hidden |= beyond[i] == 8;
-    return hidden;
-}
-
-static double shadow_far(const Scene *scene, const SceneLight *light, const Box *box)
-{
-    const SceneCamera *c = &scene->camera;
-    double way[3];
-    if (!scene_light_casts(light) || casts_nothing(c, light, box))
-        return INFINITY;
-    for (int i = 0; i < 3; i++)
-        way[i] = light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - c->position[i];
-    return fmax(line_far(c->position, way, light->kind == SCENE_Directional ? 1e4 : 1, box->low, box->high), c->near);
-}
-
 /* Pixels of a unit, as near as the triangle's box comes, or its shadow needs it; an eighth where it is not seen. */
 static double pixels_of(const Reference *r, uint32_t triangle)
 {
     const SceneBisectionTriangle *t = &r->b.triangles[triangle];
-    const SceneCamera *c = &r->scene->camera;
     const double *m = r->patches->world_from_local.m;
     const uint32_t number = (uint32_t)leaf_of(t, r->first[t->base]);
     double(*range)[3] = r->ranges[((uint32_t)t->base << (r->ranged + 1)) +
                                   (number >> (t->depth > r->ranged ? t->depth - r->ranged : 0))];
     double at[3][3], normal[3][3];
-    Box box = {.normal = (const double(*)[3])normal, .closed = r->closed};
+    BisectionBox box = {.normal = (const double(*)[3])normal, .closed = r->closed};
     double *low = box.low, *high = box.high;
     for (int corner = 0; corner < 3; corner++)
         for (int i = 0; i < 3; i++) {
@@ -315,24 +235,14 @@ static double pixels_of(const Reference *r, uint32_t triangle)
         low[i] = fmin(fmin(at[0][i], at[1][i]), at[2][i]) + step * range[0][i];
         high[i] = fmax(fmax(at[0][i], at[1][i]), at[2][i]) + step * range[1][i];
     }
-    /* all eight corners beyond one side of what is seen, or behind all three tangent planes */
-    int beyond[5] = {0}, behind[3] = {0};
-    for (int i = 0; i < 8; i++) {
-        double way[3];
-        for (int k = 0; k < 3; k++)
-            way[k] = (i >> k & 1 ? high[k] : low[k]) - c->position[k];
-        for (int side = 0; side < 5; side++)
-            beyond[side] += room_at(c, side, way) < 0;
-        for (int k = 0; k < 3; k++)
-            behind[k] += scene_vector_dot(normal[k], way) > 0;
+    for (int k = 0; k < 3; k++) {
+        double of[3] = {0};
+        for (int i = 0; i < 9; i++)
+            of[i / 3] += r->inverse.m[4 * (i / 3) + i % 3] *
+                         (double)r->shape.vertices[r->shape.indices[3 * t->base + k]].normal[i % 3];
+        box.longest = fmax(box.longest, sqrt(scene_vector_dot(of, of)));
     }
-    bool hidden = r->closed && behind[0] == 8 && behind[1] == 8 && behind[2] == 8;
-    for (int i = 0; i < 5; i++)
-        hidden |= beyond[i] == 8;
-    double far = fmax(box_far(c->position, low, high), c->near) * (hidden ? 8 : 1);
-    for (int i = 0; i < r->scene->light_count; i++)
-        far = fmin(far, shadow_far(r->scene, &r->scene->lights[i], &box));
-    return r->scene->width / 2. / c->half / far;
+    return r->scene->width / 2. / r->scene->camera.half / bisection_seen_far(r->scene, &box);
 }
 
 static int log_of(int count)
