@@ -10,6 +10,7 @@
 #include "runtime/scene/scene_divide.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static double size_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
@@ -93,6 +94,70 @@ static void hard_edges_have_one_way(void **state)
 }
 
 /* Heights of every kind: smooth, by steps, by texture coordinates that are apart at seams and edges, leaning over. */
+/* Twice a triangle's area across its plane. */
+static void area_of(float (*const rows)[3], const uint32_t *corners, double area[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int u = (k + 1) % 3, v = (k + 2) % 3;
+        const float *a = rows[corners[0]], *b = rows[corners[1]], *c = rows[corners[2]];
+        area[k] = (double)(b[u] - a[u]) * (double)(c[v] - a[v]) - (double)(b[v] - a[v]) * (double)(c[u] - a[u]);
+    }
+}
+
+/* Of a cube's faces, how many have the point. */
+static int faces_at(const float p[3], double half)
+{
+    int count = 0;
+    for (int lane = 0; lane < 3; lane++)
+        count += fabs((double)p[lane]) > half - 1e-6;
+    return count;
+}
+
+/* Faces of a hard body move along their own normals. Outward they leave each other, and triangles along edges close what is between. Inward they cross: each ends beyond the other, nearly where
+ * it ended before, and those triangles lead back, turned inside out. That is the dark notch in docs/hard.png, where heights are below 0. */
+static void hard_faces_cross_where_they_move_inward(void **state)
+{
+    (void)state;
+    const double height = .2, half = .5;
+    for (int way = 1; way >= -1; way -= 2) {
+        char text[1000];
+        MatcDocument *document;
+        int turned = 0, beside = 0;
+        double beyond = 0;
+        snprintf(text, sizeof text, SCENE("displacement: 1, displacementScale: %g", "- { object: Box, size: [1, 1, 1], material: m }"),
+                 way * height);
+        Scene *scene = read_scene(text, &document);
+        const Shape *shape = &scene->meshes[scene->objects[0].mesh].shape;
+        float(*moved)[3] = malloc((size_t)shape->vertex_count * sizeof *moved);
+        for (int i = 0; i < shape->vertex_count; i++) {
+            memcpy(moved[i], shape->vertices[i].position, sizeof *moved);
+            for (int lane = 0; lane < 3 && faces_at(shape->base[i], half) == 1; lane++) /* it is in its face's plane, or along it */
+                if (fabs((double)shape->base[i][lane]) < half - 1e-6)
+                    beyond = fmax(beyond, fabs((double)moved[i][lane]) - half - way * height);
+        }
+        for (int i = 0; i < shape->index_count; i += 3) {
+            double was[3], is[3];
+            area_of(shape->base, &shape->indices[i], was);
+            area_of(moved, &shape->indices[i], is);
+            const bool inward = was[0] * is[0] + was[1] * is[1] + was[2] * is[2] < 0;
+            turned += inward;
+            for (int k = 0; k < 3 && inward; k++)
+                if (faces_at(shape->base[shape->indices[i + k]], half) > 1) {
+                    beside++;
+                    break;
+                }
+        }
+        print_message("%s: %d of %d triangles are turned, %d of these at edges; a face ends %.3f beyond the next\n",
+                      way > 0 ? "outward" : "inward", turned, shape->index_count / 3, beside, beyond);
+        if (way > 0)
+            assert_true(turned == 0 && beyond == 0);
+        else
+            assert_true(turned > 100 && beside == turned && beyond > height / 2 && beyond < height);
+        free(moved);
+        forget(scene, document);
+    }
+}
+
 static const char *const heights[] = {
     "displacement: { map: VolumeTurbulence, size: 2, octaves: 4, noiseRatio: 0.5 }, displacementScale: 0.3",
     "displacement: { map: Checker, input: { map: UVTransform, scaleU: 7, scaleV: 5 } }, displacementScale: 0.2",
@@ -196,6 +261,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(triangles_are_divided),     cmocka_unit_test(a_wave_moves_points_by_its_height),
         cmocka_unit_test(hard_edges_have_one_way),   cmocka_unit_test(what_is_closed_stays_closed),
+        cmocka_unit_test(hard_faces_cross_where_they_move_inward),
         cmocka_unit_test(objects_share_meshes),      cmocka_unit_test(what_cannot_be_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
