@@ -216,69 +216,7 @@ static bool measure_error(GlContext *gl, const Arguments *a)
     return true;
 }
 
-/* -- speed */
-
-static double least_frame(GlContext *gl, Render *render)
-{
-    RenderPassTime times[RENDER_PASSES_MOST];
-    double least = INFINITY;
-    for (int i = 0; i < FRAMES; i++) {
-        gl->Finish();
-        const int count = render_time_passes(render, times);
-        for (int k = 0; k < count; k++)
-            if (!strcmp(times[k].name, "surface"))
-                least = fmin(least, times[k].seconds);
-    }
-    return least;
-}
-
-static bool measure_method(GlContext *gl, const Arguments *a, const char *method)
-{
-    char text[TEXT];
-    MatcOptions compile;
-    MatcDocument *document;
-    Scene *scene;
-    matc_options_init(&compile);
-    compile.pixels = true;
-    snprintf(text, sizeof text,
-             "image: { width: 512, height: 512 }\ncamera: { camera: Perspective, position: [0, -2.6, 2], target: [0, "
-             "0, 0] }\n"
-             "displacement: { method: %s, triangles: %d }\nlights: [{ light: Ambient }]\n"
-             "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 3, octaves: 4, "
-             "noiseRatio: 0.45 }, displacementScale: 0.2 } }\n"
-             "objects:\n- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, transform: { translation: "
-             "[-1, -1, 0] } }\n",
-             method, a->most / 4);
-    const double begin = bench_now();
-    document = scene_read("scene.yaml", text, strlen(text), &compile, &scene);
-    const double displaced = bench_now() - begin;
-    Render *render = scene ? render_open(gl, &(RenderOptions){.compile = &compile}) : NULL;
-    const bool fine = render && render_scene(render, scene) && render_frame(render);
-    if (fine) {
-        const double drawn = least_frame(gl, render),
-                     count = scene->meshes[scene->objects[0].mesh].shape.index_count / 3e6;
-        printf("%-12s %10.0f %12s %12s %12s\n", method, 1e6 * count, NUMBER(3, a->timed ? count / displaced : NAN),
-               NUMBER(1, a->timed ? count / drawn : NAN), NUMBER(3, a->timed ? count / (displaced + drawn) : NAN));
-    } else {
-        fprintf(stderr, "matbench: %s\n", scene ? gl->error : matc_diagnostics(document, MATC_TEXT));
-    }
-    render_close(render);
-    scene_free(scene);
-    matc_document_free(document);
-    return fine;
-}
-
-static bool measure_speed(GlContext *gl, const Arguments *a)
-{
-    static const char *const methods[] = {"mesh", "bisection"};
-    bool fine = true;
-    printf("\nfour octaves of noise on a square, 512 x 512 pixels: millions of triangles a second\n%-12s %10s %12s "
-           "%12s %12s\n",
-           "method", "triangles", "displaced", "drawn", "both");
-    for (size_t i = 0; fine && i < sizeof methods / sizeof *methods; i++)
-        fine = measure_method(gl, a, methods[i]);
-    return fine;
-}
+static bool measure_speed(GlContext *gl, const Arguments *a) { return displacement_speed(gl, a->timed, a->most / 4); }
 
 static bool measure_programs(GlContext *gl, const Arguments *a)
 {

@@ -5,6 +5,7 @@
 
 typedef struct GlContext GlContext;
 /* False: it is told why. */
+bool displacement_speed(GlContext *gl, bool timed, int triangles);
 bool displacement_programs(GlContext *gl, bool timed, int triangles);
 bool displacement_table(GlContext *gl, bool timed, int most);
 bool displacement_bisection(GlContext *gl, bool timed, int triangles);
