@@ -208,6 +208,7 @@ const char *choice_job(const MatcOptions *o, Job *job)
                  .normals = (Normals)index_or(o, "normals", NORMALS_eye),
                  .from_buffer = o->constants && !strcmp(o->constants, "uniform")};
     job->moved = o->moved;
+    job->computed = o->compute;
     job->instances = o->instances && target_table[target].storage && job->pass != PASS_plane && job->pass != PASS_sky;
     job->cases = o->cases;
     job->layout = o->custom ? o->custom->row : &layout_table[index_or(o, "layout", target_table[target].layout)];
@@ -260,6 +261,7 @@ void choice_store_options(Bytes *to, const MatcOptions *options)
     }
     bytes_number(to, (uint32_t)options->optimize);
     bytes_number(to, options->validate);
+    bytes_number(to, options->compute);
     bytes_text(to, options->custom ? options->custom->text : "");
 }
 

@@ -52,17 +52,9 @@ static Ir *place_members(Session *session, Ir *ir, const Job *job)
     return fault ? diag_add(session, NO_SPAN, DIAG_broken_ir, "constants", fault) : ir;
 }
 
-static const IrOutput *displacement_of(const Ir *ir)
-{
-    for (int i = 0; i < ir->output_count; i++)
-        if (ir->outputs[i].kind == OUT_displacement)
-            return &ir->outputs[i];
-    return NULL;
-}
-
 double compile_displacement_bound(const Ir *ir)
 {
-    const IrOutput *output = displacement_of(ir);
+    const IrOutput *output = ir_output_of(ir, OUT_displacement);
     Arena arena = {0};
     double given[4], size = 0;
     if (!output)

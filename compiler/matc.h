@@ -85,6 +85,8 @@ typedef struct {
     int include_count;
     unsigned cases; /* of the layout, 1 << matc_case of each program: MATC_UNPACK reads back what those pack, and its Surface has no slot that none of
                        them gives. 0: all cases, so that it stays the same whatever a set holds */
+    bool compute; /* MATC_COMPUTE will be asked for, by matc_emit: the program is to have the normals that it writes. matc_compile with
+                     MATC_COMPUTE knows by itself */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);
@@ -128,7 +130,7 @@ typedef enum {
     MATC_VERTEX = 2,   /* GLSL of the matching vertex program */
     MATC_UNPACK = 4,   /* GLSL that reads the layout back */
     MATC_REFLECT = 8,  /* JSON: choices, inputs, uniforms, textures, outputs, opacity, sources, hash; of a sky its sun */
-    MATC_SPIRV = 16,   /* SPIR-V words of the fragment program */
+    MATC_SPIRV = 16,   /* SPIR-V words of the fragment program; and of all stages that are asked for beside it, by matc_spirv */
     MATC_IR = 32,      /* text of the optimised IR */
     MATC_DOT = 64,     /* the same as a graph for Graphviz */
     MATC_KEY = 256, /* alone: nothing is written yet, but keys, places and constants are there; matc_emit may follow */
@@ -140,6 +142,8 @@ typedef enum {
                            * vec2 displacementTexcoord, vec3 displacementTangentU, vec3 displacementTangentV)`, a point in the world */
     MATC_GEOMETRYVERTEX = 16384, /* GLSL of the vertex program that hands attributes on to a geometry program, */
     MATC_GEOMETRY = 32768, /* and that: it divides triangles, and does what the vertex program does. Targets of desktop GLSL from 3.30 on */
+    MATC_COMPUTE = 65536, /* GLSL of a compute program that reads vertices from a buffer, and writes where they are displaced to, and the normals
+                           * there. Targets of GLSL 4.5 alone (docs/displacement.md) */
     MATC_STATS = 128,  /* table of stages and optimiser passes; the choices, and what settled each */
 } MatcOutput;
 
@@ -151,6 +155,9 @@ MATC_API bool matc_emit(MatcProgram *program, unsigned outputs);
 MATC_API bool matc_ok(const MatcProgram *program);
 /* An output, zero-terminated, owned by the program; NULL if it was not asked for or the program is not ok. */
 MATC_API const char *matc_output(const MatcProgram *program, MatcOutput output, size_t *size);
+/* SPIR-V of a stage whose GLSL is an output (MATC_FRAGMENT, MATC_VERTEX, MATC_TESSEVAL, MATC_COMPUTE, ...), where MATC_SPIRV was asked for with it: stages that are drawn together are linked
+ * together. NULL otherwise. Size in bytes, words in the machine's order; owned by the program. */
+MATC_API const char *matc_spirv(const MatcProgram *program, MatcOutput stage, size_t *size);
 MATC_API void matc_program_free(MatcProgram *program);
 /* The pass whose program it is: "depth" for the shadow of an opaque material. */
 MATC_API const char *matc_pass(const MatcProgram *program);

@@ -287,7 +287,7 @@ typedef struct {
     int number;            /* of the version */
     int layout;            /* Layout: the default */
     bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders, float_filters,
-        storage, tessellation, geometry; /* as targets.def says */
+        storage, tessellation, geometry, compute; /* as targets.def says */
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];
 

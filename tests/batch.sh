@@ -320,7 +320,7 @@ for options in --target=glsl110 --target=glsl450 --target=essl300 --pass=depth -
     --pass=value "--pass=value --slot=normal" --layout=thesis --layout=integer --layout=auto "--layout=auto --layout-error=0.02" \
     "--layout=$work/docs/lambert.yaml" --precision=exact --precision=balanced --constants=uniform --constants=baked --noise=groimp --noise=simplex \
     --coordinates=long --powers=pow --powers=compensated --trigonometry=bounded --aa=box --aa=aniso --derivatives=analytic -O0 -O1 \
-    --emit=vertex --emit=glsl,reflect --emit=unpack --emit=layout --emit=ir,dot --emit=spirv --emit=tree --check --stats --diagnostics=json; do
+    --emit=vertex --emit=glsl,reflect --emit=unpack --emit=layout --emit=ir,dot --emit=spirv --emit=tree "--target=glsl450 --emit=glsl" "--target=glsl450 --emit=glsl,compute" --check --stats --diagnostics=json; do
     cached "$options" $options "$@"
 done
 cached "--material" --material=holes "$work/opacities.yaml"

@@ -1,5 +1,5 @@
 /* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag, and .json for those in no folder below;
- * for examples/layouts/: the page of the layout, .txt, and both sides of it; for every document or layout in tests/errors/:
+ * and for what displaces, .comp, its compute program; for examples/layouts/: the page of the layout, .txt, and both sides of it; for every document or layout in tests/errors/:
  * the diagnostics beside it, <name>.err; for every tests/ir/<pass>-<case>.ir: what that pass
  * makes of it, beside it, .out. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
  * difference before you commit it. Under CI it does not update. */
@@ -121,6 +121,24 @@ static void run_material(Run *run, const MatcDocument *document, const char *nam
     matc_program_free(program);
 }
 
+/* What displaces: its compute program, and how the reflection tells of that. */
+static void run_compute(Run *run, const MatcDocument *document, const char *name)
+{
+    char path[LONGEST_PATH];
+    MatcOptions options;
+    matc_options_init(&options);
+    options.target = "glsl450";
+    options.validate = false;
+    MatcProgram *program = matc_compile(document, 0, MATC_COMPUTE | MATC_REFLECT, &options);
+    if (matc_ok(program) && matc_displacement_bound(program) != 0) {
+        golden_path(path, name, NULL, ".comp");
+        compare(run, path, matc_output(program, MATC_COMPUTE, NULL));
+        golden_path(path, name, NULL, ".comp.json");
+        compare(run, path, matc_output(program, MATC_REFLECT, NULL));
+    }
+    matc_program_free(program);
+}
+
 static MatcDocument *open_document(const char *name)
 {
     size_t size;
@@ -212,6 +230,8 @@ static void run_example(Run *run, const char *name)
     run->failed += !matc_material_count(document) && !palette;
     for (int i = 0; i < matc_material_count(document); i++)
         run_material(run, document, name, i);
+    if (matc_material_count(document) == 1 && !strchr(name + strlen("examples/"), '/'))
+        run_compute(run, document, name);
     matc_document_free(document);
 }
 

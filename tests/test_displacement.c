@@ -223,8 +223,9 @@ static void what_has_no_bound_is_said(void **state)
     }
 }
 
-/* How far the oracle's normals are off the closed form over a body, in degrees, at most; `stays`: normals of the base are said to stay as they are. */
-static double off_normals(Oracle *oracle, const Node *material, CurvedBody body, double scale, bool stays)
+typedef enum { HEIGHTS, HEIGHTS_STAYING, VECTORS } Carried;
+/* How far the oracle's normals are off the closed form over a body, in degrees, at most; HEIGHTS_STAYING: normals of the base are said to stay as they are. */
+static double off_normals(Oracle *oracle, const Node *material, CurvedBody body, double scale, Carried by)
 {
     enum { COUNT = 400 };
     double most = 0;
@@ -233,10 +234,13 @@ static double off_normals(Oracle *oracle, const Node *material, CurvedBody body,
         SlotValues values;
         double want[3];
         curved_surface(body, fmod(i * 0.61803398874989485, 1), (i + 0.5) / COUNT, &surface);
-        if (stays)
+        if (by == HEIGHTS_STAYING)
             for (int lane = 0; lane < 3; lane++)
                 surface.normal_u[lane] = surface.normal_v[lane] = 0;
-        curved_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], stays, want);
+        if (by == VECTORS)
+            curved_vector_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], want);
+        else
+            curved_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], by == HEIGHTS_STAYING, want);
         assert_true(oracle_material(oracle, material, &surface, &values));
         most = fmax(most, curved_angle(values.lane[SLOT_normal], want));
     }
@@ -250,13 +254,19 @@ static void normals_are_those_of_curved_surfaces(void **state)
     const double most = 1e-5; /* degrees: differences tell slopes */
     Document d;
     for (CurvedBody body = 0; body < CURVED_COUNT; body++) {
-        char text[200];
+        char text[300];
         const double scale = curved_radius[body] / 4;
         snprintf(text, sizeof text, "material: Phong\ndisplacement: " CURVED_HEIGHT "\ndisplacementScale: %g\n", scale);
         assert_true(document_open_text(&d, text));
         Oracle *oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
-        for (int stays = 0; stays < 2; stays++)
-            assert_true(off_normals(oracle, d.graph->materials[0].node, body, scale, stays) < most);
+        for (Carried by = HEIGHTS; by < VECTORS; by++)
+            assert_true(off_normals(oracle, d.graph->materials[0].node, body, scale, by) < most);
+        oracle_close(oracle);
+        document_close(&d);
+        snprintf(text, sizeof text, "material: Phong\ndisplacementVector: " CURVED_VECTOR "\ndisplacementScale: %g\n", scale);
+        assert_true(document_open_text(&d, text));
+        oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
+        assert_true(off_normals(oracle, d.graph->materials[0].node, body, scale, VECTORS) < most);
         oracle_close(oracle);
         document_close(&d);
     }

@@ -19,6 +19,7 @@ typedef struct {
     Chunks chunks;       /* library functions, and the uniforms they declare */
     bool members;        /* it reads numbers from the buffer */
     const struct VertexMove *move; /* NULL: the vertex stages move no point */
+    const struct VertexMove *compute; /* of a compute program, which has normals as well; NULL as well */
     const bool *fragment_textures; /* of `textures`, those of the fragment program; where a vertex stage has others */
     Chunks fragment_chunks;        /* the same of `chunks` */
 } Interface;
@@ -28,6 +29,8 @@ typedef struct VertexMove {
     bool inputs[INPUT_COUNT];      /* that main() sets: those of the source `vertex` */
     bool along_tangents;           /* the function gives a vec3, along dP/du, dP/dv and the normal; else a float along the normal, */
     bool volume;                   /* or a vec4, from where to where along it a volume is solid, twice */
+    bool turns;                    /* there is matc_displacedNormal(), */
+    bool normal_inputs[INPUT_COUNT]; /* before which main() sets these */
     const char *declarations;      /* uniforms and textures, shared with the fragment program */
     const char *text;              /* variables that main() sets, library functions, matc_displacement() */
 } VertexMove;
@@ -44,6 +47,8 @@ const char *emit_tessellation(Session *session, const Job *job, const Interface 
 /* The geometry program that divides triangles, and the vertex program before it. geometry.c */
 typedef enum { GEOMETRY_vertex, GEOMETRY_geometry, GEOMETRY_COUNT } GeometryStage;
 const char *emit_geometry(Session *session, const Job *job, const Interface *interface, GeometryStage stage);
+/* The compute program that displaces vertices of a buffer into another. compute.c */
+const char *emit_compute(Session *session, const Job *job, const Interface *interface);
 /* GLSL that reads the layout back: struct Surface, unpackTexels() of what the targets hold, unpackSurface() of where. */
 const char *emit_unpack(Session *session, const Job *job);
 /* A program that is made, as its reflection tells of it. */

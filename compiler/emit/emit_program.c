@@ -68,20 +68,19 @@ static void put_function(Scope *e, Text *out, int number)
     put_result(e, out, function->result);
 }
 
-/* What fragments write: all but the displacement. */
+/* What fragments write. */
 static int roots_of(const Ir *ir, Ref roots[MOST_OUTPUTS])
 {
     int count = 0;
     for (int i = 0; i < ir->output_count; i++)
-        if (ir->outputs[i].kind != OUT_displacement)
+        if (ir_is_of_fragments(&ir->outputs[i]))
             roots[count++] = ir->outputs[i].value;
     return count;
 }
 
-/* Those that some values run, and that these run in turn: who runs a function comes behind it. */
-static bool *functions_of(const Ir *ir, const Ref *roots, int count, Arena *scratch)
+/* What some values need, with what the functions need that they run, and these in turn: who runs a function comes behind it. `run` has them. */
+static IrReach needed_by(const Ir *ir, const Ref *roots, int count, bool *run, Arena *scratch)
 {
-    bool *run = ARENA_ARRAY(scratch, bool, ir->function_count + 1);
     IrReach reach = ir_reach_new(ir, scratch);
     ir_reach(ir, roots, count, &reach);
     for (size_t f = ir->function_count;; f--) {
@@ -89,9 +88,27 @@ static bool *functions_of(const Ir *ir, const Ref *roots, int count, Arena *scra
             if (ir_applies(ir, reach.at[i]))
                 run[ir_at(ir, reach.at[i])->payload] = true;
         if (!f)
-            return run;
+            return reach;
         ir_reach(ir, &ir->functions[f - 1].result, run[f - 1], &reach);
     }
+}
+
+static bool *functions_of(const Ir *ir, const Ref *roots, int count, Arena *scratch)
+{
+    bool *run = ARENA_ARRAY(scratch, bool, ir->function_count + 1);
+    needed_by(ir, roots, count, run, scratch);
+    return run;
+}
+
+static void inputs_of(const Ir *ir, Ref root, bool inputs[INPUT_COUNT])
+{
+    Arena scratch = {0};
+    bool *run = ARENA_ARRAY(&scratch, bool, ir->function_count + 1);
+    const IrReach reach = needed_by(ir, &root, 1, run, &scratch);
+    for (size_t i = 0; i < reach.count; i++)
+        if (ir_is(ir, reach.at[i], OP_input))
+            inputs[ir_at(ir, reach.at[i])->payload] = true;
+    arena_free(&scratch);
 }
 
 static void put_functions(Scope *e, Text *out, const bool *run)
@@ -157,7 +174,7 @@ static void put_main(Scope *e, Text *out)
     Text body = text_new(e->session->arena);
     emit_scope_open(e, NULL, roots, roots_of(ir, roots));
     for (int i = 0; i < ir->output_count; i++)
-        if (ir->outputs[i].kind != OUT_displacement)
+        if (ir_is_of_fragments(&ir->outputs[i]))
             put_output(e, &body, &ir->outputs[i]);
     text_put(out, "void main() {\n");
     put_changes(out, e->interface, ir->function_count > 0);
@@ -206,22 +223,14 @@ static void put_chunks(Text *out, const Chunks *chunks)
     }
 }
 
-static const IrOutput *displacement_of(const Ir *ir)
-{
-    for (int i = 0; i < ir->output_count; i++)
-        if (ir->outputs[i].kind == OUT_displacement)
-            return &ir->outputs[i];
-    return NULL;
-}
-
-/* The text of a VertexMove: its inputs are variables, since functions of filters read them too. */
-static const char *move_text(Session *session, const Ir *ir, const Job *job, Interface *own)
+/* The text of a VertexMove: its inputs are variables, since functions of filters read them too, and there are two settings of them. `normal` may be 0. */
+static const char *move_text(Session *session, const Ir *ir, const Job *job, Interface *own, Ref normal)
 {
     Arena scratch = {0};
-    const Ref root = displacement_of(ir)->value;
+    const Ref root = ir_output_of(ir, OUT_displacement)->value, both[] = {root, normal};
     Text functions = text_new(session->arena), out = text_new(session->arena);
     Scope e = emit_scope_new(session, ir, job, own, &scratch);
-    put_functions(&e, &functions, functions_of(ir, &root, 1, &scratch));
+    put_functions(&e, &functions, functions_of(ir, both, normal ? 2 : 1, &scratch));
     emit_scope_open(&e, NULL, &root, 1);
     text_format(&functions, "// How far the point moves: %s.\n%s matc_displacement() {\n",
                 ir_type(ir, root) == TYPE_float  ? "along its normal"
@@ -229,6 +238,11 @@ static const char *move_text(Session *session, const Ir *ir, const Job *job, Int
                                                  : "along dP/du, dP/dv and its normal",
                 type_table[ir_type(ir, root)].name);
     put_result(&e, &functions, root);
+    if (normal) {
+        emit_scope_open(&e, NULL, &normal, 1);
+        text_put(&functions, "// The unit normal of what the surface comes to be.\nvec3 matc_displacedNormal() {\n");
+        put_result(&e, &functions, normal);
+    }
     for (int i = 0; i < INPUT_COUNT; i++)
         if (input_table[i].source == SOURCE_vertex && (own->inputs[i] || i == INPUT_vertexP))
             text_format(&out, "%s %s;\n", type_table[input_table[i].type].name, input_table[i].glsl);
@@ -239,24 +253,44 @@ static const char *move_text(Session *session, const Ir *ir, const Job *job, Int
     return out.at;
 }
 
+/* All but its declarations, which `own` gets. */
+static VertexMove *move_new(Session *session, const Ir *ir, const Job *job, Interface *own, Ref normal)
+{
+    VertexMove *move = ARENA_NEW(session->arena, VertexMove);
+    const Ref root = ir_output_of(ir, OUT_displacement)->value;
+    *own = new_interface(session, ir);
+    own->instances = job->instances;
+    move->text = move_text(session, ir, job, own, normal);
+    move->along_tangents = ir_type(ir, root) == TYPE_vec3;
+    move->volume = ir_type(ir, root) == TYPE_vec4;
+    move->turns = normal != 0;
+    inputs_of(ir, root, move->inputs);
+    if (normal)
+        inputs_of(ir, normal, move->normal_inputs);
+    return move;
+}
+
+static void declare_move(Session *session, const Ir *ir, const Job *job, VertexMove *move, Declared declared)
+{
+    Text declarations = text_new(session->arena);
+    emit_move_declarations(session, &declarations, ir, job, declared);
+    move->declarations = declarations.size ? declarations.at : "";
+}
+
 /* The interface of all stages, of that of the fragment program. */
 static Interface with_move(Session *session, const Ir *ir, const Job *job, const Interface *fragment)
 {
-    const IrOutput *displacement = displacement_of(ir);
-    if (!displacement)
+    const IrOutput *normal = ir_output_of(ir, OUT_normal);
+    Interface own, computed;
+    if (!ir_output_of(ir, OUT_displacement))
         return *fragment;
-    Interface own = new_interface(session, ir);
-    own.instances = job->instances;
-    VertexMove *move = ARENA_NEW(session->arena, VertexMove);
-    Text declarations = text_new(session->arena);
-    move->text = move_text(session, ir, job, &own);
-    move->along_tangents = ir_type(ir, displacement->value) == TYPE_vec3;
-    move->volume = ir_type(ir, displacement->value) == TYPE_vec4;
-    memcpy(move->inputs, own.inputs, sizeof move->inputs);
-    Interface all = joined(session, ir, fragment, &own);
-    emit_move_declarations(session, &declarations, ir, job, (Declared){&own, &all});
-    move->declarations = declarations.size ? declarations.at : "";
+    VertexMove *move = move_new(session, ir, job, &own, 0), *compute = normal ? move_new(session, ir, job, &computed, normal->value) : move;
+    Interface all = joined(session, ir, fragment, normal ? &computed : &own); /* who computes normals computes heights */
+    declare_move(session, ir, job, move, (Declared){&own, &all});
+    if (normal)
+        declare_move(session, ir, job, compute, (Declared){&computed, &all});
     all.move = move;
+    all.compute = compute;
     all.fragment_textures = fragment->textures;
     all.fragment_chunks = fragment->chunks;
     return all;

@@ -3,6 +3,7 @@
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
 #include "compiler/emit/attribute.h"
+#include "compiler/emit/compute.h"
 #include "compiler/base/json_write.h"
 #include "compiler/emit/texture.h"
 #include "compiler/ir/std140.h"
@@ -198,7 +199,7 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
     for (int i = 0; i < ir->output_count; i++) {
         const IrOutput *output = &ir->outputs[i];
         bool color = output->kind == OUT_color;
-        if (output->kind == OUT_displacement)
+        if (!ir_is_of_fragments(output))
             continue;
         next(&list);
         text_put(out, "{");
@@ -276,6 +277,8 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
     if (interface->move)
         put_displacement(out, interface->move, program->bound);
     emit_describe_vertex(out, job, interface);
+    if (job->computed)
+        compute_describe(out, job, interface);
     List files = open_list(out, "sources");
     for (size_t i = 0; i < session->depends.count; i++) {
         next(&files);

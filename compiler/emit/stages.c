@@ -13,7 +13,7 @@ static bool has_stages(Session *session, const Job *job, bool has, DiagKind othe
 
 static bool accept(Session *session, const Job *job, const EmitStages *made)
 {
-    const ValidateStages stages = {made->vertex, made->control, made->evaluation, made->geometry, made->fragment};
+    const ValidateStages stages = {{made->vertex, made->control, made->evaluation, made->geometry, made->fragment, made->compute}};
     const char *log = "";
     if (!session->options->validate || validate_stages(session, job->target, &stages, &log))
         return true;
@@ -39,5 +39,13 @@ bool emit_geometry_stages(Session *session, const Job *job, const Interface *int
     *made = (EmitStages){.fragment = made->fragment,
                          .vertex = emit_geometry(session, job, interface, GEOMETRY_vertex),
                          .geometry = emit_geometry(session, job, interface, GEOMETRY_geometry)};
+    return accept(session, job, made);
+}
+
+bool emit_compute_stage(Session *session, const Job *job, const Interface *interface, EmitStages *made)
+{
+    if (!has_stages(session, job, target_table[job->target].compute, DIAG_no_compute))
+        return false;
+    *made = (EmitStages){.compute = emit_compute(session, job, interface)};
     return accept(session, job, made);
 }

@@ -120,34 +120,58 @@ bool validate(Session *session, Target target, const ProgramTexts *texts, const 
     return fine;
 }
 
+static const glslang_stage_t kinds[VALIDATE_STAGES] = {GLSLANG_STAGE_VERTEX,         GLSLANG_STAGE_TESSCONTROL,
+                                                       GLSLANG_STAGE_TESSEVALUATION, GLSLANG_STAGE_GEOMETRY,
+                                                       GLSLANG_STAGE_FRAGMENT,       GLSLANG_STAGE_COMPUTE};
+
+static bool link_stages(Validation *v, const ValidateStages *stages)
+{
+    const int messages = (int)input_for(v->target, GLSLANG_STAGE_FRAGMENT, "").messages;
+    v->log = "glslang cannot be started";
+    pthread_once(&initialised, initialise);
+    v->program = glslang_program_create();
+    bool fine = v->program != NULL;
+    for (int i = 0; i < VALIDATE_STAGES && fine; i++)
+        fine = !stages->text[i] || parse(v, kinds[i], stages->text[i]);
+    return fine && (glslang_program_link(v->program, messages) || fail(v, glslang_program_get_info_log(v->program)));
+}
+
 bool validate_stages(Session *session, Target target, const ValidateStages *stages, const char **log)
 {
-    static const glslang_stage_t kinds[] = {GLSLANG_STAGE_VERTEX, GLSLANG_STAGE_TESSCONTROL, GLSLANG_STAGE_TESSEVALUATION, GLSLANG_STAGE_GEOMETRY, GLSLANG_STAGE_FRAGMENT};
-    const char *const texts[] = {stages->vertex, stages->control, stages->evaluation, stages->geometry, stages->fragment};
-    Validation v = {.session = session, .target = target, .log = "glslang cannot be started"};
-    pthread_once(&initialised, initialise);
-    v.program = glslang_program_create();
-    bool fine = v.program != NULL;
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds && fine; i++)
-        fine = !texts[i] || parse(&v, kinds[i], texts[i]);
-    const int messages = (int)input_for(target, GLSLANG_STAGE_FRAGMENT, "").messages;
-    fine = fine && (glslang_program_link(v.program, messages) || fail(&v, glslang_program_get_info_log(v.program)));
+    Validation v = {.session = session, .target = target};
+    const bool fine = link_stages(&v, stages);
     *log = v.log;
     close_validation(&v);
     return fine;
 }
 
-const char *validate_to_spirv(Session *session, const char *fragment, size_t *size, const char **log)
+/* The words of one stage more, in bytes. glslang 12 and before put them behind those of earlier stages, of which `all` is what there was. */
+static void take_words(Validation *v, int stage, ValidateWords *words, size_t *all)
+{
+    glslang_spv_options_t options = {.disable_optimizer = true, .validate = false};
+    glslang_program_SPIRV_generate_with_options(v->program, kinds[stage], &options);
+    const char *at = (const char *)glslang_program_SPIRV_get_ptr(v->program);
+    const size_t size = glslang_program_SPIRV_get_size(v->program) * sizeof(unsigned);
+    int first = 0;
+    while (first < stage && !words->at[first])
+        first++;
+    const bool behind = first < stage && size > *all && !memcmp(at, words->at[first], words->size[first]);
+    const size_t from = behind ? *all : 0;
+    words->size[stage] = size - from;
+    words->at[stage] = arena_string(v->session->arena, at + from, size - from);
+    *all = size;
+}
+
+bool validate_to_spirv(Session *session, const ValidateStages *stages, ValidateWords *words, const char **log)
 {
     Validation v = {.session = session, .target = TARGET_spirv};
-    const char *words = NULL;
-    if (link_shaders(&v, NULL, fragment)) {
-        glslang_spv_options_t options = {.disable_optimizer = true, .validate = false};
-        glslang_program_SPIRV_generate_with_options(v.program, GLSLANG_STAGE_FRAGMENT, &options);
-        *size = glslang_program_SPIRV_get_size(v.program) * sizeof(unsigned);
-        words = arena_string(session->arena, (const char *)glslang_program_SPIRV_get_ptr(v.program), *size);
-    }
+    const bool fine = link_stages(&v, stages);
+    size_t all = 0;
+    *words = (ValidateWords){{NULL}, {0}};
+    for (int i = 0; i < VALIDATE_STAGES && fine; i++)
+        if (stages->text[i])
+            take_words(&v, i, words, &all);
     *log = v.log;
     close_validation(&v);
-    return words;
+    return fine;
 }

@@ -3,6 +3,7 @@
 #include "compiler/emit/emit_declare.h"
 #include "compiler/emit/vertex.h"
 #include "compiler/emit/attribute.h"
+#include "compiler/emit/move.h"
 #include "compiler/base/json_write.h"
 #include "compiler/ir/std140.h"
 #include <string.h>
@@ -50,7 +51,7 @@ static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 t
 static const char *const uniforms[] = {"mat4 matc_worldFromLocal", "mat4 matc_clipFromWorld",
                                        "mat3 matc_worldNormalFromLocal", "mat3 matc_eyeNormalFromLocal"};
 static const char *const screen_uniforms[] = {"mat4 matc_worldFromClip"};
-enum { ATTRIBUTE_COUNT = 5, UNIFORM_normal = 2, UNIFORM_eye_normal = 3, UNIFORM_COUNT = 4 };
+enum { ATTRIBUTE_COUNT = 5, UNIFORM_normal = 2, UNIFORM_eye_normal = 3, UNIFORM_COUNT = 4, FIRST_MOVE_LOCATION = ATTRIBUTE_COUNT + 1 };
 
 static void put_attributes(Text *out, Target target, const bool *used)
 {
@@ -73,71 +74,15 @@ static void put_uniforms(Text *out, Target target, const bool *used, const char 
         text_put(out, "};\n");
 }
 
+void emit_place_uniforms(Text *out, Target target, bool normal)
+{
+    put_uniforms(out, target, (bool[UNIFORM_COUNT]){[0] = true, [UNIFORM_normal] = normal}, uniforms, UNIFORM_COUNT);
+}
+
 static void mark(const char *const *list, int count, const char *name, bool *used)
 {
     for (int i = 0; name && i < count; i++)
         used[i] |= !strcmp(list[i], name);
-}
-
-/* What a vertex that is displaced is, before it is: by attributes of its own, which are the same for all vertices of one position, whatever
- * they have to shade with: at a hard edge, at a seam of texture coordinates. */
-typedef struct {
-    Input input;
-    int attribute; /* of displacement_attributes; -1: the position */
-    const char *expression;
-} MoveFeed;
-static const char *const displacement_attributes[] = {"vec3 displacementNormal", "vec2 displacementTexcoord",
-                                                      "vec3 displacementTangentU", "vec3 displacementTangentV"};
-enum { MOVE_NORMAL, MOVE_TEXCOORD, MOVE_TANGENT_U, MOVE_TANGENT_V, MOVE_ATTRIBUTES, FIRST_MOVE_LOCATION = ATTRIBUTE_COUNT + 1 };
-static const MoveFeed move_feeds[] = {
-    {INPUT_vertexP, -1, "(matc_worldFromLocal * vec4(position, 1.0)).xyz"},
-    {INPUT_vertexN, MOVE_NORMAL, "matc_worldNormalFromLocal * displacementNormal"},
-    {INPUT_vertexDU, MOVE_TANGENT_U, "(matc_worldFromLocal * vec4(displacementTangentU, 0.0)).xyz"},
-    {INPUT_vertexDV, MOVE_TANGENT_V, "(matc_worldFromLocal * vec4(displacementTangentV, 0.0)).xyz"},
-    {INPUT_vertexU, MOVE_TEXCOORD, "displacementTexcoord"},
-    {INPUT_vertexX, -1, "position"},
-    {INPUT_vertexXU, MOVE_TANGENT_U, "displacementTangentU"},
-    {INPUT_vertexXV, MOVE_TANGENT_V, "displacementTangentV"},
-};
-enum { MOVE_FEEDS = sizeof move_feeds / sizeof *move_feeds };
-
-static void mark_move(const VertexMove *move, bool attribute[MOVE_ATTRIBUTES])
-{
-    attribute[MOVE_NORMAL] = true;
-    attribute[MOVE_TANGENT_U] = attribute[MOVE_TANGENT_V] = move->along_tangents;
-    for (int i = 0; i < MOVE_FEEDS; i++)
-        if (move->inputs[move_feeds[i].input] && move_feeds[i].attribute >= 0)
-            attribute[move_feeds[i].attribute] = true;
-}
-
-static void put_move_inputs(Text *out, const VertexMove *move)
-{
-    for (int i = 0; i < MOVE_FEEDS; i++)
-        if (move->inputs[move_feeds[i].input] || move_feeds[i].input == INPUT_vertexP)
-            text_format(out, "    %s = %s;\n", input_table[move_feeds[i].input].glsl, move_feeds[i].expression);
-}
-
-/* The displaced position in the world, as matc_worldPosition. Of a volume it is the highest, and where nothing is solid the surface's own. */
-static void put_move(Text *out, const VertexMove *move)
-{
-    put_move_inputs(out, move);
-    text_put(out, "    vec3 matc_up = matc_worldNormalFromLocal * displacementNormal;\n");
-    if (move->volume) {
-        text_put(out, "    vec4 matc_heights = matc_displacement();\n"
-                      "    float matc_top = max(matc_heights.x < matc_heights.y ? matc_heights.y : -1e30, matc_heights.z < matc_heights.w ? matc_heights.w : -1e30);\n"
-                      "    matc_worldPosition += (matc_top > -1e30 ? matc_top : 0.0) * matc_up / max(length(matc_up), 1e-30);\n");
-        return;
-    }
-    if (!move->along_tangents) {
-        text_put(out, "    matc_worldPosition += matc_displacement() * matc_up / max(length(matc_up), 1e-30);\n");
-        return;
-    }
-    text_put(out, "    vec3 matc_move = matc_displacement();\n"
-                  "    vec3 matc_alongU = (matc_worldFromLocal * vec4(displacementTangentU, 0.0)).xyz;\n"
-                  "    vec3 matc_alongV = (matc_worldFromLocal * vec4(displacementTangentV, 0.0)).xyz;\n"
-                  "    matc_worldPosition += matc_move.x * matc_alongU / max(length(matc_alongU), 1e-30)\n"
-                  "        + matc_move.y * matc_alongV / max(length(matc_alongV), 1e-30)\n"
-                  "        + matc_move.z * matc_up / max(length(matc_up), 1e-30);\n");
 }
 
 /* Which attributes and uniforms the varyings in use read; the position is always one. */
@@ -198,10 +143,10 @@ int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAtt
         if (attribute[i])
             list[count++] = (VertexAttribute){attributes[i], i};
     if (interface->move)
-        mark_move(interface->move, move);
+        move_mark(interface->move, move);
     for (int i = 0; i < MOVE_ATTRIBUTES; i++)
         if (move[i])
-            list[count++] = (VertexAttribute){displacement_attributes[i], FIRST_MOVE_LOCATION + i};
+            list[count++] = (VertexAttribute){move_attributes[i], FIRST_MOVE_LOCATION + i};
     if (job->moved && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X]))
         list[count++] = (VertexAttribute){base_attribute, BASE_LOCATION};
     for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
@@ -248,7 +193,7 @@ void emit_vertex_body(Text *out, const Job *job, const Interface *interface)
             text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, expression_of(feed_of(job, i), job));
     attribute_hand_on(out, interface);
     if (interface->move)
-        put_move(out, interface->move);
+        move_put(out, interface->move);
     text_put(out, interface->move
                       ? "    gl_Position = matc_clipFromWorld * vec4(matc_worldPosition, 1.0);\n}\n"
                       : "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
@@ -266,36 +211,6 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     emit_vertex_declarations(out, job, interface);
     text_put(out, "void main() {\n");
     emit_vertex_body(out, job, interface);
-}
-
-static void put_displaced_head(Text *out, const char *name)
-{
-    text_format(out, "%s(vec3 position", name);
-    for (int i = 0; i < MOVE_ATTRIBUTES; i++)
-        text_format(out, ", %s", displacement_attributes[i]);
-    text_put(out, ") {\n");
-}
-
-/* A point that is displaced by a function, whichever stage calls it: its arguments have the names of the vertex program's attributes. */
-const char *emit_displace(Session *session, const Job *job, const Interface *interface)
-{
-    const VertexMove *move = interface->move;
-    Text out = text_new(session->arena);
-    text_format(&out, "// matc " MATC_VERSION ": where points of a displaced surface are, of pass %s\n", pass_table[job->pass].name);
-    put_uniforms(&out, job->target, (bool[UNIFORM_COUNT]){true, false, move != NULL}, uniforms, UNIFORM_COUNT);
-    if (move)
-        text_format(&out, "%s\n%s", move->declarations, move->text);
-    text_put(&out, move ? "" : "\n");
-    if (move && move->volume) {
-        put_displaced_head(&out, "// What is solid along the unit normal in the world, of attributes in the object's space: from x to y, and from z to w; nothing where the second is no more.\nvec4 matc_solid");
-        put_move_inputs(&out, move);
-        text_put(&out, "    return matc_displacement();\n}\n\n");
-    }
-    put_displaced_head(&out, "// The point in the world of attributes in the object's space. All vertices of one position take the same ones, so that none tears off.\nvec3 matc_displaced");
-    if (move)
-        put_move(&out, move);
-    text_format(&out, "    return %s;\n}\n", move ? "matc_worldPosition" : "(matc_worldFromLocal * vec4(position, 1.0)).xyz");
-    return out.at;
 }
 
 /* One triangle that covers the screen. The ray is the direction in which clip space's z changes at a corner, times what makes
@@ -335,7 +250,7 @@ const char *emit_vertex(Session *session, const Job *job, const Interface *inter
 }
 
 /* "vec3 position" as {"name": "position", "type": "vec3", key: value}. */
-static void describe(Text *out, const char *declaration, const char *key, int value)
+void emit_describe_part(Text *out, const char *declaration, const char *key, int value)
 {
     int type = (int)strcspn(declaration, " ");
     text_put(out, "{");
@@ -363,25 +278,25 @@ void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
     for (int i = 0, first = 1; i < ATTRIBUTE_COUNT; i++)
         if (attribute[i]) {
             text_put(out, first ? "" : ", ");
-            describe(out, attributes[i], "location", target->in_out ? i : -1);
+            emit_describe_part(out, attributes[i], "location", target->in_out ? i : -1);
             first = 0;
         }
     bool moves[MOVE_ATTRIBUTES] = {0};
     if (interface->move && !screen)
-        mark_move(interface->move, moves);
+        move_mark(interface->move, moves);
     for (int i = 0; i < MOVE_ATTRIBUTES; i++)
         if (moves[i]) {
             text_put(out, ", ");
-            describe(out, displacement_attributes[i], "location", target->in_out ? FIRST_MOVE_LOCATION + i : -1);
+            emit_describe_part(out, move_attributes[i], "location", target->in_out ? FIRST_MOVE_LOCATION + i : -1);
         }
     if (job->moved && !screen && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X])) {
         text_put(out, ", ");
-        describe(out, base_attribute, "location", target->in_out ? BASE_LOCATION : -1);
+        emit_describe_part(out, base_attribute, "location", target->in_out ? BASE_LOCATION : -1);
     }
     for (int i = 0; i < LIMIT_ATTRIBUTES && !screen; i++)
         if (interface->attributes[i]) {
             text_put(out, ", ");
-            describe(out, attribute_declaration(interface->ir, i), "location", target->in_out ? ATTRIBUTE_FIRST_LOCATION + i : -1);
+            emit_describe_part(out, attribute_declaration(interface->ir, i), "location", target->in_out ? ATTRIBUTE_FIRST_LOCATION + i : -1);
             out->at[--out->size] = 0; /* its bracket */
             attribute_describe(out, interface->ir->graph->attributes[i]);
         }
@@ -389,7 +304,7 @@ void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
         if (uniform[i]) {
             text_put(out, first ? "" : ", ");
-            describe(out, names[i], "offset", target->locations ? std140_offset(names[i], &size) : -1);
+            emit_describe_part(out, names[i], "offset", target->locations ? std140_offset(names[i], &size) : -1);
             first = 0;
         }
     text_put(out, "]");

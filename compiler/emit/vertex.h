@@ -1,4 +1,5 @@
-/* The vertex program's parts. The programs that tessellate are made of them, too. So is the geometry program. Private to vertex.c, tessellation.c and geometry.c. */
+/* The vertex program's parts. The programs that tessellate are made of them, too. So are the geometry program and the compute program. Private to vertex.c, tessellation.c, geometry.c,
+ * compute.c and displace.c. */
 #ifndef MATC_VERTEX_H
 #define MATC_VERTEX_H
 #include "compiler/emit/emit.h"
@@ -18,4 +19,8 @@ void emit_vertex_between(Text *out, const Job *job, int number, const VertexAttr
 void emit_vertex_declarations(Text *out, const Job *job, const Interface *interface);
 /* What main() does with attributes of these names, and its end. */
 void emit_vertex_body(Text *out, const Job *job, const Interface *interface);
+/* Matrices from the object's space to the world: of points, and of normals. */
+void emit_place_uniforms(Text *out, Target target, bool normal);
+/* "vec3 position" as {"name": "position", "type": "vec3", key: value}; without the key, where the value is below 0. */
+void emit_describe_part(Text *out, const char *declaration, const char *key, int value);
 #endif

@@ -229,6 +229,16 @@ void ir_output(Ir *ir, OutputKind kind, int index, Ref value)
     ir->outputs[ir->output_count++] = (IrOutput){kind, index, value};
 }
 
+const IrOutput *ir_output_of(const Ir *ir, OutputKind kind)
+{
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind == kind)
+            return &ir->outputs[i];
+    return NULL;
+}
+
+bool ir_is_of_fragments(const IrOutput *output) { return output->kind != OUT_displacement && output->kind != OUT_normal; }
+
 /* Users come after operands, and a function's result before its calls: one sweep down suffices. */
 void ir_live_below(const Ir *ir, uint8_t *live, Ref last)
 {

@@ -73,8 +73,8 @@ typedef struct {
 } IrFunction;
 
 /* OUT_displacement: how far the vertex stages move the point, a float along the normal, or a vec3 along dP/du, dP/dv and the normal; or a vec4, from
- * where to where along the normal a volume is solid, twice. */
-typedef enum { OUT_discard, OUT_depth, OUT_color, OUT_displacement } OutputKind;
+ * where to where along the normal a volume is solid, twice. OUT_normal: the unit normal of what it comes to be, of a compute program alone. */
+typedef enum { OUT_discard, OUT_depth, OUT_color, OUT_displacement, OUT_normal } OutputKind;
 typedef struct {
     OutputKind kind;
     int index; /* of a colour output */
@@ -193,6 +193,10 @@ Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source);
 void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments);
 int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
+/* The output of that kind, one of those that there is one of; NULL: there is none. */
+const IrOutput *ir_output_of(const Ir *ir, OutputKind kind);
+/* The fragment program writes it; others are the vertex stages'. */
+bool ir_is_of_fragments(const IrOutput *output);
 enum { KERNEL_POINTS = 27 }; /* of a function that a kernel sums */
 
 /* Builds the hash table anew after nodes moved or were changed. */

@@ -108,7 +108,7 @@ static void print_functions(Text *out, const Ir *ir, const Completed *by, Ref re
     }
 }
 
-static const char *const output_names[] = {"discard", "depth", "color", "displacement"};
+static const char *const output_names[] = {"discard", "depth", "color", "displacement", "normal"};
 
 void ir_print(Text *out, const Ir *ir)
 {

@@ -189,6 +189,7 @@ static bool read_output(Scanner *s)
               !strcmp(kind, "color")          ? OUT_color
               : !strcmp(kind, "depth")        ? OUT_depth
               : !strcmp(kind, "displacement") ? OUT_displacement
+              : !strcmp(kind, "normal")       ? OUT_normal
                                               : OUT_discard,
               atoi(index), ref);
     return ref != 0;

@@ -16,6 +16,7 @@ typedef struct {
     bool from_buffer; /* numbers of the document come from a buffer */
     unsigned cases;   /* of the layout, 1 << number: those that are read back; 0: all */
     bool moved;       /* vertices stand where they were displaced to */
+    bool computed;    /* a compute program is written, too: with the normals of what is displaced */
     bool instances;   /* an object's matrices, and the numbers of its material, are found by an attribute */
 } Job;
 

@@ -1,7 +1,7 @@
 /* True displacement: the vertex stages move a point, and the normal that is shaded is that of the surface which they approach.
  *
  *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n,  (x, y, z) the displacementVector, h the red of `displacement`, both times the scale
- *     N' = dP'/du x dP'/dv, in which n changes over the surface as the mesh's normals do, and Tu/|Tu| and Tv/|Tv| turn with it
+ *     N' = dP'/du x dP'/dv, in which n changes over the surface as the mesh's normals do; Tu/|Tu| and Tv/|Tv| lean with it, and turn about it as the mesh's tangents do
  *
  * So the normal of a pixel has all of the slope, whatever the triangles carry of it: finer ones move the surface and never the shading.
  * A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0: dP'/du = (1, 0, 0.1), N' = (-0.1, 0, 1).
@@ -15,7 +15,7 @@
 #include "compiler/lower/slope.h"
 
 /* Environments of their own in the memo: beyond all that filters make of others. */
-enum { ENV_DISPLACED = 16, ENV_VERTEX = 32 };
+enum { ENV_DISPLACED = 16, ENV_VERTEX = 32, ENV_CORNER = 64 };
 
 static Ref height(Lower *l, const Displacement *d, const Env *env)
 {
@@ -90,13 +90,13 @@ Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
 
 static Ref tangent(const Env *env, bool by_v) { return env->root[by_v ? GROUP_DV : GROUP_DU]; }
 
-/* A displacement with its slopes, and how the unit normal of the mesh changes by u and by v; 0: it does not. */
+/* A displacement with its slopes, and how the unit normal of the mesh changes by u and by v, and how the unit tangents by u (0) and by v (1) turn about it; 0: they do not. */
 typedef struct {
     Ref by;
-    Slopes slopes, turns;
+    Slopes slopes, turns, swings[2];
 } Carried;
 
-/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv| + z n_u: what of the tangent does not rise. */
+/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv| + x s_u + y t_u + z n_u, with s and t the turns of both unit tangents: what of the tangent does not rise. */
 static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
     Ir *ir = l->ir;
@@ -109,7 +109,13 @@ static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
         return whole;
     Ref along_u = build_mul(ir, lower_unit(l, tangent(env, false)), build_swizzle(ir, slope, "x"));
     Ref along_v = build_mul(ir, lower_unit(l, tangent(env, true)), build_swizzle(ir, slope, "y"));
-    return build_add(ir, build_add(ir, whole, along_u), along_v);
+    whole = build_add(ir, build_add(ir, whole, along_u), along_v);
+    for (int i = 0; i < 2; i++) {
+        const Ref swing = by_v ? m->swings[i].v : m->swings[i].u;
+        if (swing)
+            whole = build_add(ir, whole, build_mul(ir, swing, build_lane(ir, m->by, i)));
+    }
+    return whole;
 }
 
 /* z_u - x n_u . Tu/|Tu| - y n_u . Tv/|Tv|: what moves along a tangent goes down where the surface bends down. */
@@ -147,12 +153,27 @@ static Ref turn_of(Lower *l, Ref normal, Direction direction)
     return change ? lower_unit_slope(l, normal, change) : 0;
 }
 
+/* Of a unit tangent, about the normal: what it leans is the normal's to say. 0: it does not. */
+static Ref swing_of(Lower *l, const Env *env, Ref tangent, Direction direction)
+{
+    Ir *ir = l->ir;
+    const Ref change = slope_mesh_tangent(l, tangent, direction);
+    if (!change)
+        return 0;
+    const Ref turn = lower_unit_slope(l, tangent, change), n = lower_unit(l, env->root[GROUP_N]);
+    return build_sub(ir, turn, build_mul(ir, n, build_dot(ir, n, turn)));
+}
+
 Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env)
 {
     Ir *ir = l->ir;
     Carried m = moved_of(l, displaced, env);
     m.turns.u = turn_of(l, env->root[GROUP_N], DIRECTION_u);
     m.turns.v = turn_of(l, env->root[GROUP_N], DIRECTION_v);
+    for (int i = 0; i < 2 && ir_type(ir, m.by) != TYPE_float; i++) {
+        m.swings[i].u = swing_of(l, env, tangent(env, i), DIRECTION_u);
+        m.swings[i].v = swing_of(l, env, tangent(env, i), DIRECTION_v);
+    }
     const Ref up_u = rise(l, env, &m, false), up_v = rise(l, env, &m, true), up[2] = {up_u, up_v};
     Frame f = {.tu = slid(l, env, &m, false)};
     Env moved = *env;
@@ -193,37 +214,57 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
     put(l, 2, s.v);
 }
 
-/* A vertex, before it is displaced. Its inputs are no fragment's: nothing that is computed for either is shared. */
-static Env vertex_env(Lower *l)
+/* What a vertex is, before it is displaced. Its inputs are no fragment's, nor what it is displaced by what it is shaded by: nothing that is computed for either is shared. */
+typedef struct {
+    int number; /* of its environment */
+    Input p, n, du, dv, u, x;
+} VertexInputs;
+static const VertexInputs displaced_inputs = {ENV_VERTEX, INPUT_vertexP, INPUT_vertexN, INPUT_vertexDU, INPUT_vertexDV, INPUT_vertexU, INPUT_vertexX};
+static const VertexInputs corner_inputs = {ENV_CORNER, INPUT_cornerP, INPUT_cornerN, INPUT_cornerDU, INPUT_cornerDV, INPUT_cornerU, INPUT_cornerX};
+
+static Env vertex_env(Lower *l, const VertexInputs *of)
 {
     Ir *ir = l->ir;
-    Env env = {.front = build_truth(ir, true), .number = ENV_VERTEX, .shape = true};
-    env.root[GROUP_P] = build_input(ir, INPUT_vertexP);
-    env.root[GROUP_N] = build_input(ir, INPUT_vertexN);
-    env.root[GROUP_DU] = build_input(ir, INPUT_vertexDU);
-    env.root[GROUP_DV] = build_input(ir, INPUT_vertexDV);
-    env.root[GROUP_U] = build_vec(ir, TYPE_vec3, build_input(ir, INPUT_vertexU), build_float(ir, 0));
-    env.root[GROUP_X] = build_input(ir, INPUT_vertexX);
+    Env env = {.front = build_truth(ir, true), .number = of->number, .shape = true};
+    env.root[GROUP_P] = build_input(ir, of->p);
+    env.root[GROUP_N] = build_input(ir, of->n);
+    env.root[GROUP_DU] = build_input(ir, of->du);
+    env.root[GROUP_DV] = build_input(ir, of->dv);
+    env.root[GROUP_U] = build_vec(ir, TYPE_vec3, build_input(ir, of->u), build_float(ir, 0));
+    env.root[GROUP_X] = build_input(ir, of->x);
     env.root[GROUP_R] = build_all(ir, TYPE_vec4, 0);
     env.root[GROUP_IOR] = build_input(ir, INPUT_IOR);
     return env;
 }
 
+/* The normal that a fragment at this vertex has. */
+static void output_normal(Lower *l, const Node *displaced)
+{
+    Ir *ir = l->ir;
+    const uint32_t origin = ir->origin;
+    const Env env = vertex_env(l, &corner_inputs);
+    ir->origin = ORIGIN_SLOTS + SLOT_normal;
+    ir_output(ir, OUT_normal, 0, build_call(ir, FN_safeNormalize, lower_displaced_env(l, displaced, &env).root[GROUP_N]));
+    ir->origin = origin;
+}
+
 /* Pictures are taken from their texels, at the full resolution: the height of a point depends on no triangle, so that those on either side of
- * an edge cannot differ. */
+ * an edge cannot differ. A compute program has the normal as well, by the same slopes as a fragment's. */
 void lower_displace_vertices(Lower *l, const Node *displaced)
 {
     const Job *whole = l->job;
     Job job = *whole;
     if (!displaced || whole->moved)
         return;
-    const Env env = vertex_env(l);
+    const Env env = vertex_env(l, &displaced_inputs);
     job.choice[AXIS_aa] = CHOICE_aa_none;
     l->job = &job;
     Ref value = lower_displacement(l, displaced, &env);
+    if (!ir_is_number(l->ir, value, 0)) {
+        l->ir->displaced = displaced;
+        ir_output(l->ir, OUT_displacement, 0, value);
+        if (whole->computed && !graph_displaces_volume(displaced))
+            output_normal(l, displaced);
+    }
     l->job = whole;
-    if (ir_is_number(l->ir, value, 0))
-        return;
-    l->ir->displaced = displaced;
-    ir_output(l->ir, OUT_displacement, 0, value);
 }

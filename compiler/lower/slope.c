@@ -237,15 +237,19 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
         Input of, by[2];
     } tangents[] = {{INPUT_X, {INPUT_XU, INPUT_XV}}, {INPUT_P, {INPUT_DU, INPUT_DV}},
                     {INPUT_vertexX, {INPUT_vertexXU, INPUT_vertexXV}},
-                    {INPUT_vertexP, {INPUT_vertexDU, INPUT_vertexDV}}};
+                    {INPUT_vertexP, {INPUT_vertexDU, INPUT_vertexDV}},
+                    {INPUT_cornerX, {INPUT_cornerXU, INPUT_cornerXV}},
+                    {INPUT_cornerP, {INPUT_cornerDU, INPUT_cornerDV}}};
     if (direction == DIRECTION_right || direction == DIRECTION_up) {
+        if (input == INPUT_DU || input == INPUT_DV)
+            return 0; /* no footprint asks how tangents turn: slope_mesh_tangent alone */
         for (int i = 0; i < change_count; i++)
             if (change_table[i].of == input && (direction == DIRECTION_right) == !strcmp(change_table[i].by, "dFdx"))
                 return build_input(ir, change_table[i].input);
         return 0;
     }
     bool by_v = direction == DIRECTION_v;
-    if (input == INPUT_U || input == INPUT_vertexU)
+    if (input == INPUT_U || input == INPUT_vertexU || input == INPUT_cornerU)
         return ir_const(ir, TYPE_vec2, (double[]){!by_v, by_v});
     for (size_t i = 0; i < sizeof tangents / sizeof *tangents; i++)
         if (tangents[i].of == input)

@@ -16,6 +16,8 @@ void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
 Ref slope_attribute(Lower *l, Ref ref, Direction direction);
 /* Of the normal as the mesh has it, by u or by v; 0: it is the same all over, as a plane's. What maps make of a normal has no such slope. */
 Ref slope_mesh_normal(Lower *l, Ref normal, Direction direction);
+/* The same of a tangent as the mesh has it. */
+Ref slope_mesh_tangent(Lower *l, Ref tangent, Direction direction);
 
 /* Values whose derivative is a sum of others', each by a factor. slope_sum.c */
 typedef struct {

@@ -1,4 +1,4 @@
-/* Attributes of the mesh, and its normal, by the surface's u and v. Over a triangle an attribute a is linear, and so are u and v: with its changes to the next pixels and theirs,
+/* Attributes of the mesh, its normal and its tangents, by the surface's u and v. Over a triangle an attribute a is linear, and so are u and v: with its changes to the next pixels and theirs,
  * a_x = a_u u_x + a_v v_x and a_y = a_u u_y + a_v v_y. By Cramer's rule a_u = (a_x v_y - a_y v_x) / d and a_v = (a_y u_x - a_x u_y) / d of d = u_x v_y - u_y v_x; 0
  * where that is.
  *
@@ -32,11 +32,37 @@ Ref slope_attribute(Lower *l, Ref ref, Direction direction)
     return by_surface(l->ir, ax, ay, direction == DIRECTION_v);
 }
 
+/* The input that a value is; INPUT_COUNT: it is none. */
+static Input input_of(const Ir *ir, Ref value) { return ir_is(ir, value, OP_input) ? (Input)ir_at(ir, value)->payload : INPUT_COUNT; }
+
+static Ref slope_varying(Ir *ir, const Input changes[2], Direction direction)
+{
+    Ref by_x = build_input(ir, changes[0]), by_y = build_input(ir, changes[1]);
+    return by_surface(ir, by_x, by_y, direction == DIRECTION_v);
+}
+
 Ref slope_mesh_normal(Lower *l, Ref normal, Direction direction)
 {
-    Ir *ir = l->ir;
-    if (!ir_is(ir, normal, OP_input) || ir_at(ir, normal)->payload != INPUT_N)
+    const Input input = input_of(l->ir, normal);
+    if (input == INPUT_cornerN)
+        return build_input(l->ir, direction == DIRECTION_v ? INPUT_cornerNV : INPUT_cornerNU);
+    return input == INPUT_N ? slope_varying(l->ir, (Input[]){INPUT_NX, INPUT_NY}, direction) : 0;
+}
+
+Ref slope_mesh_tangent(Lower *l, Ref tangent, Direction direction)
+{
+    const Input input = input_of(l->ir, tangent);
+    const bool by_v = direction == DIRECTION_v;
+    switch (input) {
+    case INPUT_cornerDU:
+        return build_input(l->ir, by_v ? INPUT_cornerDUV : INPUT_cornerDUU);
+    case INPUT_cornerDV:
+        return build_input(l->ir, by_v ? INPUT_cornerDVV : INPUT_cornerDUV);
+    case INPUT_DU:
+        return slope_varying(l->ir, (Input[]){INPUT_DUX, INPUT_DUY}, direction);
+    case INPUT_DV:
+        return slope_varying(l->ir, (Input[]){INPUT_DVX, INPUT_DVY}, direction);
+    default:
         return 0;
-    Ref by_x = build_input(ir, INPUT_NX), by_y = build_input(ir, INPUT_NY);
-    return by_surface(ir, by_x, by_y, direction == DIRECTION_v);
+    }
 }

@@ -17,6 +17,7 @@ typedef struct {
     bool front;                    /* seen from the front */
     double local_u[3], local_v[3]; /* how the object position changes by u and v; finite derivatives do not read it */
     double normal_u[3], normal_v[3]; /* how the normal does, as the mesh has it: only displacement asks */
+    double tangent_slopes[2][2][3];  /* how dP/du (0) and dP/dv (1) do, by u (0) and by v (1): of vectors that displace alone */
     double attributes[LIMIT_ATTRIBUTES][4]; /* of the mesh, by the graph's index, where `has` says so: 1 << (4 index + lane) */
     uint32_t has; /* else they have their defaults; they do not change from point to point */
 } Surface;

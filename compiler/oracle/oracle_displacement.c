@@ -84,6 +84,28 @@ static double falls(const OracleDisplacement *d, const double turn[3], const dou
     return d->by[0] * dot(turn, tu) / length(tu) + d->by[1] * dot(turn, tv) / length(tv);
 }
 
+/* How the unit vector of a tangent turns about the normal. */
+static void swing_of(const double n[3], const double tangent[3], const double change[3], double swing[3])
+{
+    double turn[3];
+    turn_of(tangent, change, turn);
+    const double size = length(n), along = dot(n, turn) / (size * size);
+    for (int i = 0; i < 3; i++)
+        swing[i] = turn[i] - along * n[i];
+}
+
+/* What x and y along the tangents add by u (0) or by v (1) since these turn. */
+static void add_swings(const OracleDisplacement *d, const Surface *surface, bool by_v, double slid[3])
+{
+    static const Group tangents[] = {GROUP_DU, GROUP_DV};
+    for (int k = 0; k < 2; k++) {
+        double swing[3];
+        swing_of(&surface->root[channel_id(GROUP_N, 0)], &surface->root[channel_id(tangents[k], 0)], surface->tangent_slopes[k][by_v], swing);
+        for (int i = 0; i < 3; i++)
+            slid[i] += d->by[k] * swing[i];
+    }
+}
+
 void oracle_displace(Environment *environment, const Node *displaced, Surface *surface)
 {
     OracleDisplacement d;
@@ -101,6 +123,8 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
         slid_u[i] = tu[i] + d.by_u[0] * tu[i] / size_u + d.by_u[1] * tv[i] / size_v + d.by[ALONG_N] * turn_u[i];
         slid_v[i] = tv[i] + d.by_v[0] * tu[i] / size_u + d.by_v[1] * tv[i] / size_v + d.by[ALONG_N] * turn_v[i];
     }
+    add_swings(&d, surface, false, slid_u);
+    add_swings(&d, surface, true, slid_v);
     for (int i = 0; i < 3; i++) {
         const double unit = n[i] / size_n;
         across[i] = up_u * slid_v[i] - up_v * slid_u[i];

@@ -239,8 +239,9 @@ static void choose_outputs(Batch *b)
         b->requests[i] = b->line->passes[i];
     for (int emit = 0; emit < EMIT_COUNT; emit++)
         if (b->line->emit[emit] && batch_is_of_program(emit))
-            b->outputs |= options_emit_output(&b->options, emit);
+            b->outputs |= options_emit_outputs(&b->options, emit);
     b->outputs |= b->outputs ? 0 : MATC_FRAGMENT;
+    b->options.compute = b->line->emit[EMIT_compute];
 }
 
 static void take_documents(Batch *b)

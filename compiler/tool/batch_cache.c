@@ -298,7 +298,7 @@ void batch_store_program(Batch *b, const BatchEdition *edition, MatcProgram *pro
         size_t size;
         if (!b->line->emit[emit] || !batch_is_of_program(emit))
             continue;
-        const char *text = matc_output(program, options_emit_output(&b->options, emit), &size);
+        const char *text = options_emit_text(&b->options, emit, program, &size);
         bytes_block(&to, text, size);
     }
     Key key = key_of_bytes(to.at, to.size);

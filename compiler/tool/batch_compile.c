@@ -18,7 +18,7 @@ static void write_program(Batch *b, BatchDocument *document, const BatchEdition 
         size_t size;
         if (!b->line->emit[emit] || !batch_is_of_program(emit))
             continue;
-        const char *text = matc_output(program, options_emit_output(&b->options, emit), &size);
+        const char *text = options_emit_text(&b->options, emit, program, &size);
         const BatchFile file = {edition->base, options_emit_suffix(&b->options, emit)};
         batch_put_file(b, document, file, text, size);
     }

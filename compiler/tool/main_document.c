@@ -17,7 +17,7 @@ static unsigned wanted_outputs(const CommandLine *line)
     unsigned outputs = line->stats ? MATC_STATS : 0;
     for (int emit = 0; emit < EMIT_COUNT; emit++)
         if (line->emit[emit])
-            outputs |= emit_table[emit].output | options_emit_output(&line->compile, emit);
+            outputs |= emit_table[emit].output | options_emit_outputs(&line->compile, emit);
     return outputs;
 }
 

@@ -47,7 +47,7 @@ static const char *const file_keys[EMIT_COUNT] = {
     [EMIT_spirv] = "spirv",   [EMIT_ir] = "ir",         [EMIT_dot] = "dot",
     [EMIT_tessvertex] = "tessvertex", [EMIT_tesscontrol] = "tesscontrol", [EMIT_tesseval] = "tesseval",
     [EMIT_geometryvertex] = "geometryvertex", [EMIT_geometry] = "geometry",
-    [EMIT_displace] = "displace",
+    [EMIT_displace] = "displace", [EMIT_compute] = "compute",
 };
 
 static void put_files(Text *out, const Batch *b, const char *name)
@@ -58,7 +58,7 @@ static void put_files(Text *out, const Batch *b, const char *name)
         if (emit == EMIT_glsl && spirv && b->line->emit[EMIT_spirv])
             continue; /* one file */
         if (b->line->emit[emit] && file_keys[emit])
-            put_file_name(out, file_keys[as], name, emit_table[as].suffix);
+            put_file_name(out, file_keys[as], name, options_emit_suffix(&b->options, emit));
     }
 }
 

@@ -13,21 +13,22 @@
 #include <string.h>
 
 const EmitRow emit_table[EMIT_COUNT] = {
-    {"glsl", ".frag", MATC_FRAGMENT},
-    {"vertex", ".vert", MATC_VERTEX},
-    {"unpack", ".unpack.glsl", MATC_UNPACK},
-    {"reflect", ".json", MATC_REFLECT},
-    {"spirv", ".spv", MATC_SPIRV},
-    {"ir", ".ir", MATC_IR},
-    {"dot", ".dot", MATC_DOT},
-    {"layout", ".layout.yaml", MATC_LAYOUT},
-    {"tessvertex", ".tess.vert", MATC_TESSVERTEX},
-    {"tesscontrol", ".tesc", MATC_TESSCONTROL},
-    {"tesseval", ".tese", MATC_TESSEVAL},
-    {"geometryvertex", ".geom.vert", MATC_GEOMETRYVERTEX},
-    {"geometry", ".geom", MATC_GEOMETRY},
-    {"displace", ".displace.glsl", MATC_DISPLACE},
-    {"tree", ".tree", 0},
+    {"glsl", ".frag", MATC_FRAGMENT, NULL},
+    {"vertex", ".vert", MATC_VERTEX, ".vert.spv"},
+    {"unpack", ".unpack.glsl", MATC_UNPACK, NULL},
+    {"reflect", ".json", MATC_REFLECT, NULL},
+    {"spirv", ".spv", MATC_SPIRV, NULL},
+    {"ir", ".ir", MATC_IR, NULL},
+    {"dot", ".dot", MATC_DOT, NULL},
+    {"layout", ".layout.yaml", MATC_LAYOUT, NULL},
+    {"tessvertex", ".tess.vert", MATC_TESSVERTEX, ".tess.vert.spv"},
+    {"tesscontrol", ".tesc", MATC_TESSCONTROL, ".tesc.spv"},
+    {"tesseval", ".tese", MATC_TESSEVAL, ".tese.spv"},
+    {"geometryvertex", ".geom.vert", MATC_GEOMETRYVERTEX, ".geom.vert.spv"},
+    {"geometry", ".geom", MATC_GEOMETRY, ".geom.spv"},
+    {"displace", ".displace.glsl", MATC_DISPLACE, NULL},
+    {"compute", ".comp", MATC_COMPUTE, ".comp.spv"},
+    {"tree", ".tree", 0, NULL},
 };
 
 typedef enum {
@@ -272,14 +273,26 @@ static int emit_row(const MatcOptions *options, int emit)
     return emit == EMIT_glsl && target && target->spirv ? EMIT_spirv : emit;
 }
 
-MatcOutput options_emit_output(const MatcOptions *options, int emit)
+static bool is_spirv(const MatcOptions *options, int emit)
 {
-    return (MatcOutput)emit_table[emit_row(options, emit)].output;
+    const TargetRow *target = choice_target(options);
+    return emit_table[emit].spirv && target && target->spirv;
+}
+
+unsigned options_emit_outputs(const MatcOptions *options, int emit)
+{
+    return emit_table[emit_row(options, emit)].output | (is_spirv(options, emit) ? MATC_SPIRV : 0);
+}
+
+const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program, size_t *size)
+{
+    const MatcOutput output = (MatcOutput)emit_table[emit_row(options, emit)].output;
+    return is_spirv(options, emit) ? matc_spirv(program, output, size) : matc_output(program, output, size);
 }
 
 const char *options_emit_suffix(const MatcOptions *options, int emit)
 {
-    return emit_table[emit_row(options, emit)].suffix;
+    return is_spirv(options, emit) ? emit_table[emit].spirv : emit_table[emit_row(options, emit)].suffix;
 }
 
 double options_number(const char *text, double otherwise)

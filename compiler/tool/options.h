@@ -23,12 +23,14 @@ typedef enum {
     EMIT_geometryvertex,
     EMIT_geometry,
     EMIT_displace,
+    EMIT_compute,
     EMIT_tree,
     EMIT_COUNT
 } Emit;
 typedef struct {
     const char *name, *suffix;
     unsigned output; /* MatcOutput; 0: the tree, which is the document's */
+    const char *spirv; /* suffix of a stage's SPIR-V; NULL: it is none, or is the fragment's */
 } EmitRow;
 extern const EmitRow emit_table[EMIT_COUNT];
 
@@ -77,8 +79,9 @@ void options_free(CommandLine *line);
 const char *options_check(CommandLine *line);
 /* The number of an option; another, where the option is NULL; NaN: it is no number. */
 double options_number(const char *text, double otherwise);
-/* The output behind an --emit: SPIR-V where GLSL would be written, for a target of SPIR-V. */
-MatcOutput options_emit_output(const MatcOptions *options, int emit);
+/* What an --emit wants of a program (MatcOutput, or-ed), what of that is written, and to files of which suffix: of stages SPIR-V instead of GLSL, for a target of SPIR-V. */
+unsigned options_emit_outputs(const MatcOptions *options, int emit);
+const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program, size_t *size);
 const char *options_emit_suffix(const MatcOptions *options, int emit);
 /* What --help prints; in the arena. options_help.c */
 const char *options_help(Arena *arena);

@@ -44,7 +44,7 @@ static const char *put_output(Outputs *files, const CommandLine *line, MatcDocum
         emit++;
     snprintf(path, SINGLE_PATH, "%s", line->output ? line->output : "-");
     const char *text = emit == EMIT_tree ? matc_tree_text(document)
-                                         : matc_output(program, options_emit_output(&line->compile, emit), &size);
+                                         : options_emit_text(&line->compile, emit, program, &size);
     size = emit == EMIT_tree ? strlen(text) : size;
     return is_written(line, path, text, size) ? NULL : outputs_put(files, path, text, size);
 }

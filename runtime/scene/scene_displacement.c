@@ -29,7 +29,7 @@ static void copy(const float from[3], double to[3])
         to[i] = (double)from[i];
 }
 
-static MatcPoint point_of(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse)
+MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse)
 {
     MatcPoint point;
     turn(m, false, vertex->position, point.position);
@@ -58,7 +58,7 @@ static bool move_points(void *user, const ShapeVertex *at, int count, double (*t
     const SceneMatrix *m = &mover->how->world_from_local, *inverse = &mover->local_from_world;
     MatcPoint *points = malloc(((size_t)count + 1) * sizeof *points);
     for (int i = 0; points && i < count; i++)
-        points[i] = point_of(&at[i], m, inverse);
+        points[i] = scene_displaced_point(&at[i], m, inverse);
     const bool fine =
         points && matc_move(mover->how->document, mover->how->material, mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {
@@ -79,7 +79,7 @@ static bool find_solid(void *user, SceneColumn *columns, int count)
     const SceneMatrix *m = &mover->how->world_from_local, *inverse = &mover->local_from_world;
     MatcSolid *points = calloc((size_t)count + 1, sizeof *points);
     for (int i = 0; points && i < count; i++)
-        points[i].at = point_of(&columns[i].at, m, inverse);
+        points[i].at = scene_displaced_point(&columns[i].at, m, inverse);
     const bool fine =
         points && matc_solid(mover->how->document, mover->how->material, mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {

@@ -19,6 +19,8 @@ typedef struct {
     bool processor;        /* whoever draws cannot displace */
 } SceneDisplacing;
 
+/* A vertex as matc_move takes it, of an object in the world, by its matrix and the inverse of that. */
+MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse);
 /* Moved triangles; or, by a method of the driver's, patches: where the height has a bound, since nobody knew else where points are. False: memory ran out, or a value takes too
  * many operations; *made is empty. */
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);

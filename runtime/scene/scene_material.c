@@ -15,22 +15,26 @@ static int fail(SceneReader *r)
     return -1;
 }
 
-/* The place of a material among those in use; aside, any. */
+/* The place of a material among those in use; aside, among those of what is aside, of which the first is none. */
 static int use(SceneReader *r, MatcDocument *document, int index)
 {
     Scene *scene = r->scene;
-    if (r->aside)
-        return 0;
     const uint32_t hash = hash_pointer(document) ^ (uint32_t)index * HASH_FACTOR;
-    HashProbe probe = hash_probe(&r->used, hash);
+    const SceneMaterial *known = r->aside ? r->asides : scene->materials;
+    HashIndex *places = r->aside ? &r->aside_used : &r->used;
+    HashProbe probe = hash_probe(places, hash);
     while (hash_probe_next(&probe)) {
-        const SceneMaterial *other = &scene->materials[probe.number];
+        const SceneMaterial *other = &known[probe.number];
         if (other->document == document && other->index == index)
             return (int)probe.number;
     }
     const SceneMaterial material = {document, index};
-    size_t count = (size_t)scene->material_count;
-    hash_index_add(r->session->arena, &r->used, hash, (uint32_t)count);
+    size_t count = r->aside ? r->aside_count : (size_t)scene->material_count;
+    hash_index_add(r->session->arena, places, hash, (uint32_t)count);
+    if (r->aside) {
+        ARENA_PUSH(r->session->arena, r->asides, r->aside_count, r->aside_room, material);
+        return (int)count;
+    }
     ARENA_PUSH(r->session->arena, scene->materials, count, r->used_room, material);
     scene->material_count = (int)count;
     return scene->material_count - 1;

@@ -2,6 +2,7 @@
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_part.h"
 #include "runtime/scene/scene_scatter.h"
+#include "runtime/scene/scene_stand.h"
 #include <math.h>
 #include <string.h>
 
@@ -281,9 +282,11 @@ static bool make_surface(SceneReader *r, const SceneThing *thing, int first, Sce
 static void read_aside(SceneReader *r, Tree *tree, int depth)
 {
     const bool before = r->aside;
+    const size_t stands = r->stand_count;
     r->aside = true;
     read_object(r, tree, &(Around){.world_from_group = scene_matrix_identity(), .material = 0, .depth = depth});
     r->aside = before;
+    r->stand_count = stands;
 }
 
 /* Of objects as any, in the copies' space. False: told. */
@@ -296,6 +299,8 @@ static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *
         return false;
     read_aside(r, scene_thing_given(thing, S_Scatter_on), around->depth);
     const bool done = r->fine && make_surface(r, thing, objects, made);
+    if (done)
+        scene_stand_open(r, &around->world_from_group, objects, scene_thing_number(thing, S_Scatter_aligned) != 0);
     scene->object_count = objects;
     return done;
 }
@@ -315,12 +320,18 @@ static void add_copies(SceneReader *r, const SceneThing *thing, const Around *ar
     const Tree *list = scene_thing_given(thing, S_Scatter_objects);
     const int count = copies_of(thing, scatter->surface);
     uint64_t state = (uint64_t)scene_thing_number(thing, S_Scatter_seed);
+    const size_t stand = r->stand_count - 1; /* copies may have surfaces of their own */
     for (int i = 0; list && i < count && (i == 0 || r->fine) && count_thing(r, thing->tree->span); i++) {
+        SceneStood stood = {.first = r->scene->object_count};
+        scene_scatter_numbers(state, stood.numbers);
         const SceneMatrix own = scene_scatter_matrix(scatter, &state);
         const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
                              .material = around->material,
                              .depth = around->depth};
         read_list(r, list, &here);
+        stood.end = r->scene->object_count;
+        if (scatter->surface)
+            scene_stand_add(r, stand, &stood);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "compiler/document.h"
 #include "runtime/scene/scene_part.h"
 #include "runtime/scene/scene_displacement.h"
+#include "runtime/scene/scene_stand.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -214,8 +215,9 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size, const 
     if (!r.scene)
         abort();
     r.scene->time = document->options.time;
+    ARENA_PUSH(r.session->arena, r.asides, r.aside_count, r.aside_room, ((SceneMaterial){NULL, 0}));
     read_scene(&r, tree);
-    if (r.fine && !document->session.diags.errors && scene_displace(&r, options))
+    if (r.fine && !document->session.diags.errors && scene_stand(&r, options) && scene_displace(&r, options))
         *made = r.scene;
     else
         scene_free(r.scene);

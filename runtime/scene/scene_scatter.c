@@ -26,11 +26,17 @@ static double part(uint64_t *state) { return (double)(scene_scatter_next(state) 
  * (1 + g nx nx a, g b, -g nx) and (b, g + ny ny a, -ny).
  *
  *     n = (0, 0, 1): x and y stay; n = (1, 0, 0): g = 1, a = -1, b = 0, so x goes to (0, 0, -1), and y stays */
-static SceneMatrix turn_to(const double n[3])
+SceneMatrix scene_scatter_turn(const double n[3])
 {
     const double g = copysign(1, n[2]), a = -1 / (g + n[2]), b = n[0] * n[1] * a;
     return (SceneMatrix){{1 + g * n[0] * n[0] * a, g * b, -g * n[0], 0, b, g + n[1] * n[1] * a, -n[1], 0, n[0], n[1],
                           n[2], 0, 0, 0, 0, 1}};
+}
+
+void scene_scatter_numbers(uint64_t state, double numbers[3])
+{
+    for (int i = 0; i < 3; i++)
+        numbers[i] = part(&state);
 }
 
 /* Where a copy stands, and how it is turned there before its own rotation. */
@@ -47,7 +53,7 @@ static SceneMatrix stand(const SceneScatter *scatter, uint64_t *state)
     double point[3];
     scene_surface_point(scatter->surface, numbers, point, normal);
     if (scatter->aligned)
-        result = turn_to(normal);
+        result = scene_scatter_turn(normal);
     memcpy(result.m + 12, point, sizeof point);
     return result;
 }

@@ -15,6 +15,10 @@ typedef struct {
     bool aligned;                /* to its normal */
 } SceneScatter;
 
+/* The three numbers of its place that scene_scatter_matrix will draw. */
+void scene_scatter_numbers(uint64_t state, double numbers[3]);
+/* A turn that takes z to a unit vector. */
+SceneMatrix scene_scatter_turn(const double n[3]);
 /* The next copy's matrix: seven numbers are drawn, for its place (x, y, z, or those of scene_surface_point), its rotations about x, y, z, and its scale. */
 SceneMatrix scene_scatter_matrix(const SceneScatter *scatter, uint64_t *state);
 #endif

@@ -25,12 +25,12 @@ static void transformed_normal(const SceneMatrix *m, const double n[3], double o
         out[i] = sign * (cross[0][i] * n[0] + cross[1][i] * n[1] + cross[2][i] * n[2]);
 }
 
-static const ShapeVertex *corner(const ScenePatch *patch, int triangle, int k)
+static const ShapeVertex *corner(const SceneSurfacePart *patch, int triangle, int k)
 {
     return &patch->shape.vertices[patch->shape.indices[3 * (triangle - patch->first) + k]];
 }
 
-static void corners_of(const ScenePatch *patch, int triangle, double corners[3][3])
+static void corners_of(const SceneSurfacePart *patch, int triangle, double corners[3][3])
 {
     for (int k = 0; k < 3; k++)
         transformed(&patch->matrix, corner(patch, triangle, k)->position, corners[k]);
@@ -47,9 +47,9 @@ static void span_of(double corners[3][3], double span[3])
     scene_vector_cross(u, v, span);
 }
 
-static bool make_patch(const Scene *scene, const SceneObject *object, ScenePatch *patch)
+static bool make_patch(const Scene *scene, const SceneObject *object, SceneSurfacePart *patch)
 {
-    *patch = (ScenePatch){.made = object->kind != SCENE_Mesh, .matrix = object->world_from_local};
+    *patch = (SceneSurfacePart){.made = object->kind != SCENE_Mesh, .matrix = object->world_from_local};
     if (patch->made)
         return scene_solid(object, &patch->shape);
     patch->shape = scene->meshes[object->mesh].shape;
@@ -77,6 +77,7 @@ bool scene_surface_make(const Scene *scene, const SceneObject *objects, int coun
     for (int i = 0; fine && i < count; i++) {
         fine = make_patch(scene, &objects[i], &made->patches[i]);
         made->patches[i].first = made->count;
+        made->patches[i].object = i;
         made->patch_count++;
         made->count += made->patches[i].shape.index_count / 3;
         fine = fine && made->count <= SCENE_SURFACE_TRIANGLES;
@@ -117,7 +118,7 @@ static int pick(const SceneSurface *surface, double share)
     return low;
 }
 
-static const ScenePatch *patch_of(const SceneSurface *surface, int triangle)
+static const SceneSurfacePart *patch_of(const SceneSurface *surface, int triangle)
 {
     int low = 0, high = surface->patch_count - 1;
     while (low < high) {
@@ -130,11 +131,18 @@ static const ScenePatch *patch_of(const SceneSurface *surface, int triangle)
     return &surface->patches[low];
 }
 
+static void share(const double numbers[3], double shares[3])
+{
+    const double s = sqrt(numbers[1]), t = numbers[2];
+    shares[0] = 1 - s, shares[1] = s * (1 - t), shares[2] = s * t;
+}
+
 void scene_surface_point(const SceneSurface *surface, const double numbers[3], double point[3], double normal[3])
 {
     const int triangle = pick(surface, numbers[0]);
-    const ScenePatch *patch = patch_of(surface, triangle);
-    const double s = sqrt(numbers[1]), t = numbers[2], shares[3] = {1 - s, s * (1 - t), s * t};
+    const SceneSurfacePart *patch = patch_of(surface, triangle);
+    double shares[3];
+    share(numbers, shares);
     double corners[3][3], mixed[3] = {0};
     corners_of(patch, triangle, corners);
     for (int i = 0; i < 3; i++) {
@@ -147,4 +155,33 @@ void scene_surface_point(const SceneSurface *surface, const double numbers[3], d
         return;
     span_of(corners, normal); /* the corners' cancel each other */
     scene_vector_normalize(normal);
+}
+
+/* All of a vertex is numbers. */
+static ShapeVertex mix(const SceneSurfacePart *patch, int triangle, const double shares[3])
+{
+    ShapeVertex mixed;
+    enum { NUMBERS = sizeof mixed / sizeof(float) };
+    float to[NUMBERS], from[3][NUMBERS];
+    for (int k = 0; k < 3; k++)
+        memcpy(from[k], corner(patch, triangle, k), sizeof from[k]);
+    for (int i = 0; i < NUMBERS; i++)
+        to[i] = (float)(shares[0] * from[0][i] + shares[1] * from[1][i] + shares[2] * from[2][i]);
+    memcpy(&mixed, to, sizeof mixed);
+    return mixed;
+}
+
+int scene_surface_around(const SceneSurface *surface, const double numbers[3], ShapeVertex around[SCENE_SURFACE_AROUND])
+{
+    static const double steps[SCENE_SURFACE_AROUND][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    const double part = 1.0 / 1024; /* of an edge */
+    const int triangle = pick(surface, numbers[0]);
+    const SceneSurfacePart *patch = patch_of(surface, triangle);
+    double shares[3];
+    share(numbers, shares);
+    for (int i = 0; i < SCENE_SURFACE_AROUND; i++) {
+        const double u = part * steps[i][0], v = part * steps[i][1];
+        around[i] = mix(patch, triangle, (double[]){shares[0] - u - v, shares[1] + u, shares[2] + v});
+    }
+    return patch->object;
 }

@@ -9,11 +9,12 @@ typedef struct {
     Shape shape; /* in its own space */
     bool made;   /* for the surface, with which it goes; else the scene's */
     int first;   /* of its triangles, among all */
+    int object;  /* that it is of, among those that the surface was made of */
     SceneMatrix matrix;
-} ScenePatch;
+} SceneSurfacePart;
 
 typedef struct {
-    ScenePatch *patches;
+    SceneSurfacePart *patches;
     int patch_count;
     double *sums; /* of the areas of all triangles up to one, that one included */
     int count;    /* of triangles */
@@ -25,4 +26,8 @@ void scene_surface_free(SceneSurface *surface);
 double scene_surface_area(const SceneSurface *surface);
 /* The point of three numbers in [0, 1), and the unit normal there, mixed of the corners'. The surface has an area. */
 void scene_surface_point(const SceneSurface *surface, const double numbers[3], double point[3], double normal[3]);
+/* The same point as vertices of its object, in that object's space: itself, and four around it in the plane of its triangle, before and behind it by a part of each of two edges. Which object, among those of the
+ * surface. */
+enum { SCENE_SURFACE_AROUND = 5 };
+int scene_surface_around(const SceneSurface *surface, const double numbers[3], ShapeVertex around[SCENE_SURFACE_AROUND]);
 #endif

@@ -23,6 +23,11 @@ typedef struct {
     const Tree *definitions; /* the document's `defs:`; NULL: there are none */
     bool *instanced;         /* by the place of a definition */
     bool aside;       /* what is read now is no part of the scene: it has no material in use, no plane to be seen */
+    SceneMaterial *asides; /* materials of it; the first is none */
+    size_t aside_count, aside_room;
+    HashIndex aside_used; /* places in them */
+    struct SceneStand *stands; /* copies that stand on surfaces, in the order of their objects */
+    size_t stand_count, stand_room;
     int things;       /* objects and groups so far */
     HashIndex solids; /* solid_keys, by them: objects with one key are one mesh */
     Key *solid_keys;

@@ -104,15 +104,15 @@ static int count_document(const char *path, const char *text, size_t size)
 
 static int count_shader(const char *path, const char *text)
 {
-    size_t size = 0;
     const char *log = "";
     Arena arena = {0};
     MatcOptions options;
     matc_options_init(&options);
     Session session = {.arena = &arena, .options = &options};
-    const char *spirv = text ? validate_to_spirv(&session, text, &size, &log) : NULL;
-    const int count = spirv ? optimised_count(spirv, size) : -1;
-    if (!spirv)
+    ValidateWords words;
+    const bool fine = text && validate_to_spirv(&session, &(ValidateStages){{[VALIDATE_fragment] = text}}, &words, &log);
+    const int count = fine ? optimised_count(words.at[VALIDATE_fragment], words.size[VALIDATE_fragment]) : -1;
+    if (!fine)
         fprintf(stderr, "%s: %s\n", path, log);
     arena_free(&arena);
     return count;

@@ -21,6 +21,7 @@ static Surface reference_surface(const Hit *hit)
         surface.normal_u[i] = hit->normal_slopes[0][i];
         surface.normal_v[i] = hit->normal_slopes[1][i];
     }
+    memcpy(surface.tangent_slopes, hit->tangent_slopes, sizeof surface.tangent_slopes);
     return surface;
 }
 

@@ -76,6 +76,26 @@ static void reference_bend(const SceneObject *object, const ShapeVertex *corner[
     }
 }
 
+/* The same of a tangent, by whose offset in a vertex it is; its image is in the world. */
+static void reference_swing(const SceneObject *object, const ShapeVertex *corner[3], size_t tangent, double slopes[2][3])
+{
+    double t[2][3], uv[2][2];
+    for (int side = 0; side < 2; side++) {
+        const float *here = (const float *)(const void *)((const char *)corner[side + 1] + tangent), *first = (const float *)(const void *)((const char *)corner[0] + tangent);
+        for (int i = 0; i < 3; i++)
+            t[side][i] = (double)here[i] - (double)first[i];
+        for (int i = 0; i < 2; i++)
+            uv[side][i] = (double)corner[side + 1]->uv[i] - (double)corner[0]->uv[i];
+    }
+    const double d = uv[0][0] * uv[1][1] - uv[1][0] * uv[0][1];
+    for (int by = 0; by < 2; by++) {
+        double local[3];
+        for (int i = 0; i < 3; i++)
+            local[i] = d == 0 ? 0 : (t[by][i] * uv[!by][!by] - t[!by][i] * uv[by][!by]) / d;
+        reference_image(&object->world_from_local, local, 0, slopes[by]);
+    }
+}
+
 static void reference_fill(const SceneObject *object, const Shape *shape, const ShapeVertex *corner[3], const double st[2], Hit *hit)
 {
     double normal[3], position[3], (*tangent)[3] = hit->local_tangents;
@@ -94,6 +114,8 @@ static void reference_fill(const SceneObject *object, const Shape *shape, const 
     reference_image(&object->world_from_local, hit->local, 1, hit->base);
     reference_normal(&object->world_from_local, normal, hit->normal);
     reference_bend(object, corner, normal, hit->normal_slopes);
+    reference_swing(object, corner, offsetof(ShapeVertex, tangentU), hit->tangent_slopes[0]);
+    reference_swing(object, corner, offsetof(ShapeVertex, tangentV), hit->tangent_slopes[1]);
 }
 
 /* The point on a triangle; `way` was not normalised, so that the distance is the same in both spaces. */
@@ -140,6 +162,7 @@ void reference_plane(const SceneObject *object, const Ray *world, double behind,
     memcpy(hit->base, hit->world, sizeof hit->base);
     reference_normal(&object->world_from_local, z, hit->normal);
     memset(hit->normal_slopes, 0, sizeof hit->normal_slopes);
+    memset(hit->tangent_slopes, 0, sizeof hit->tangent_slopes);
     memcpy(hit->facet, hit->normal, sizeof hit->facet);
 }
 

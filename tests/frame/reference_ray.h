@@ -16,6 +16,7 @@ typedef struct {
     double world[3], local[3], uv[2], normal[3], tangents[2][3];
     double base[3], local_tangents[2][3]; /* where maps read: in the world where it was before it was displaced, as `local` is */
     double normal_slopes[2][3]; /* how the normal changes by u and by v, as the triangle has it; 0 where its texture coordinates lie on a line */
+    double tangent_slopes[2][2][3]; /* the same of dP/du (0) and dP/dv (1), by u (0) and by v (1) */
     double facet[3]; /* the normal of the triangle, or of the plane */
     bool front;
 } Hit;

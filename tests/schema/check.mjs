@@ -86,7 +86,7 @@ function checkWritten(of, file) {
 const runs = [[], ['--pass=shadow'], ['--pass=gbuffer,shadow,depth', '--constants=uniform'], ['--constants=baked', '--layout=thesis'],
               ['--pass=plane'], ['--pass=sky'], ['--pass=value', '--slot=normal'], ['--target=glsl110', '--layout=thin'],
               ['--target=glsl450', '--noise=groimp'], ['--target=essl300', '--aa=box'], ['--target=spirv'],
-              ['--layout=auto'], ['--layout=examples/engine/layout.yaml']];
+              ['--layout=auto'], ['--layout=examples/engine/layout.yaml'], ['--target=glsl450', '--emit=reflect,compute']];
 // A batch wants each name once; what a scene calls its materials is its own affair.
 const batch = documents.filter(file => !file.startsWith(path.join('examples', 'scenes')));
 let sample;

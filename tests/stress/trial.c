@@ -344,7 +344,7 @@ static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output
 /* It is of vertices, or they stand there at -O2: what discards nothing is gone. */
 static bool is_other(const Program *p, int output)
 {
-    return p->ir[0]->outputs[output].kind == OUT_displacement || (output < p->ir[1]->output_count && p->ir[1]->outputs[output].kind == OUT_displacement);
+    return !ir_is_of_fragments(&p->ir[0]->outputs[output]) || (output < p->ir[1]->output_count && !ir_is_of_fragments(&p->ir[1]->outputs[output]));
 }
 
 /* A pass of the whole material: finite, and at -O2 as at -O0. */

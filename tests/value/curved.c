@@ -36,6 +36,19 @@ static Base base_near(CurvedBody body, const double place[3])
     return base_at(body, atan2(place[1], place[0]), atan2(place[2], across));
 }
 
+/* Second derivatives of ((R + r cos b) cos a, (R + r cos b) sin a, r sin b), a = 2 pi u, b of v likewise, of a ball half as fast. */
+static void set_turns(CurvedBody body, double a, double b, double slopes[2][2][3])
+{
+    const bool ball = body == CURVED_ball;
+    const double big = ball ? 0 : ring, small = ball ? 1 : tube, by_u = 2 * M_PI, by_v = ball ? M_PI : 2 * M_PI, out = big + small * cos(b);
+    const double uu[3] = {-out * cos(a), -out * sin(a), 0}, uv[3] = {small * sin(b) * sin(a), -small * sin(b) * cos(a), 0}, vv[3] = {-small * cos(b) * cos(a), -small * cos(b) * sin(a), -small * sin(b)};
+    for (int i = 0; i < 3; i++) {
+        slopes[0][0][i] = by_u * by_u * uu[i];
+        slopes[0][1][i] = slopes[1][0][i] = by_u * by_v * uv[i];
+        slopes[1][1][i] = by_v * by_v * vv[i];
+    }
+}
+
 void curved_surface(CurvedBody body, double u, double v, Surface *surface)
 {
     const double turn = 2 * M_PI, by_v = body == CURVED_ball ? M_PI : turn;
@@ -49,6 +62,7 @@ void curved_surface(CurvedBody body, double u, double v, Surface *surface)
             (k ? surface->normal_v : surface->normal_u)[i] = base.bends[k] * tangent[k][i];
             (k ? surface->local_v : surface->local_u)[i] = tangent[k][i];
         }
+    set_turns(body, turn * u, body == CURVED_ball ? by_v * (v - 0.5) : by_v * v, surface->tangent_slopes);
     set(surface, GROUP_P, base.at);
     set(surface, GROUP_X, base.at);
     set(surface, GROUP_N, base.n);
@@ -74,6 +88,48 @@ void curved_normal(CurvedBody body, double scale, const double place[3], bool st
         for (int i = 0; i < 3; i++)
             normal[i] -= leans * base.along[k][i];
     }
+    const double size = sqrt(dot(normal, normal));
+    for (int i = 0; i < 3; i++)
+        normal[i] /= size;
+}
+
+/* The three lanes, and how they change along a direction. */
+static void vector_at(const double p[3], double scale, double lanes[3])
+{
+    lanes[0] = scale * sin(3 * p[0] + 1) * cos(2 * p[1] + p[2]);
+    lanes[1] = scale * cos(2 * p[0] - p[2] + 1);
+    lanes[2] = scale * sin(p[1] + 2 * p[2]);
+}
+
+static void vector_along(const double p[3], const double way[3], double scale, double lanes[3])
+{
+    const double first = 3 * p[0] + 1, second = 2 * p[1] + p[2];
+    const double gradients[3][3] = {{3 * cos(first) * cos(second), -2 * sin(first) * sin(second), -sin(first) * sin(second)},
+                                    {-2 * sin(2 * p[0] - p[2] + 1), 0, sin(2 * p[0] - p[2] + 1)},
+                                    {0, cos(p[1] + 2 * p[2]), 2 * cos(p[1] + 2 * p[2])}};
+    for (int i = 0; i < 3; i++)
+        lanes[i] = scale * dot(gradients[i], way);
+}
+
+void curved_vector_normal(CurvedBody body, double scale, const double place[3], double normal[3])
+{
+    const Base base = base_near(body, place);
+    const double *n = base.n, *e = base.along[0], *f = base.along[1];
+    const double cb = n[0] * e[1] - n[1] * e[0], sb = n[2];
+    const double small = body == CURVED_ball ? 1 : tube, out = (body == CURVED_ball ? 0 : ring) + small * cb;
+    double m[3], way[3], a[3], b[3], by_a[3], by_b[3];
+    vector_at(base.at, scale, m);
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < 3; i++)
+            way[i] = k ? small * f[i] : out * e[i];
+        vector_along(base.at, way, scale, k ? by_b : by_a);
+    }
+    for (int i = 0; i < 3; i++) {
+        a[i] = (out + by_a[0] - m[1] * sb + m[2] * cb) * e[i] + (by_a[1] + m[0] * sb) * f[i] + (by_a[2] - m[0] * cb) * n[i];
+        b[i] = by_b[0] * e[i] + (small + by_b[1] + m[2]) * f[i] + (by_b[2] - m[1]) * n[i];
+    }
+    for (int i = 0; i < 3; i++)
+        normal[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
     const double size = sqrt(dot(normal, normal));
     for (int i = 0; i < 3; i++)
         normal[i] /= size;

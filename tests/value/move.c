@@ -35,3 +35,19 @@ bool move_points(const char *path, int material, const MovePoints *points, doubl
     document_close(&d);
     return fine;
 }
+
+bool move_normals(const char *path, int material, const MovePoints *points, double (*normal)[3])
+{
+    Document d;
+    const ReferenceContext context = {.noise = REFERENCE_LATTICE};
+    bool fine = document_open(&d, path);
+    Oracle *oracle = fine ? oracle_open(d.graph, &context) : NULL;
+    for (int i = 0; fine && i < points->count; i++) {
+        SlotValues values;
+        fine = oracle_material(oracle, d.graph->materials[material].node, &points->at[i], &values);
+        memcpy(normal[i], values.lane[SLOT_normal], 3 * sizeof **normal);
+    }
+    oracle_close(oracle);
+    document_close(&d);
+    return fine;
+}

@@ -10,4 +10,6 @@ typedef struct {
 
 /* By a material of a document. False: it has faults. */
 bool move_points(const char *path, int material, const MovePoints *points, double (*position)[3]);
+/* The normals that they are shaded with there, of any length. */
+bool move_normals(const char *path, int material, const MovePoints *points, double (*normal)[3]);
 #endif

@@ -164,11 +164,19 @@ void point_bends(const Point *point, double by_u[3], double by_v[3])
     }
 }
 
+void point_swings(const Point *point, double slopes[2][2][3])
+{
+    for (int i = 0; i < 12; i++)
+        slopes[i / 6][i / 3 % 2][i % 3] = 0.3 * point->input[i / 3 % 2 ? INPUT_XU : INPUT_XV][(i + i / 6) % 3] - 0.2 * point->input[INPUT_N][i % 3];
+}
+
 static void surface_of(const PointSet *points, int i, Surface *surface)
 {
     point_surface(&points->at[i], points->front, surface);
     if (points->bent)
         point_bends(&points->at[i], surface->normal_u, surface->normal_v);
+    if (points->bent)
+        point_swings(&points->at[i], surface->tangent_slopes);
 }
 
 enum { AXES = 8, FRAME_LANES = 3 * LANES_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };

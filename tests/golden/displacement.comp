@@ -1,0 +1,279 @@
+#version 450 core
+// matc 0.1.0: compute program that displaces vertices
+
+layout(local_size_x = 64) in;
+layout(std140, binding = 83) uniform Vertices {
+    mat4 matc_outFromWorld;
+    mat3 matc_outNormalFromWorld;
+    uint matc_count;
+    uvec2 matc_at_position;
+    uvec2 matc_at_displacementNormal;
+    uvec2 matc_at_normal;
+    uvec2 matc_at_tangentU;
+    uvec2 matc_at_tangentV;
+    uvec2 matc_at_normalByU;
+    uvec2 matc_at_normalByV;
+    uvec2 matc_to_position;
+    uvec2 matc_to_normal;
+};
+layout(std430, binding = 0) readonly buffer Read {
+    float matc_read[];
+};
+layout(std430, binding = 1) writeonly buffer Written {
+    float matc_written[];
+};
+layout(std140, binding = 16) uniform Draw {
+    mat4 matc_worldFromLocal;
+    mat3 matc_worldNormalFromLocal;
+};
+
+vec3 matc_worldPosition;
+vec3 matc_localPosition;
+vec3 matc_cornerNormal;
+vec3 matc_cornerTangentU;
+vec3 matc_cornerTangentV;
+vec3 matc_cornerLocalPosition;
+vec3 matc_cornerLocalTangentU;
+vec3 matc_cornerLocalTangentV;
+vec3 matc_cornerNormalByU;
+vec3 matc_cornerNormalByV;
+
+// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
+uvec4 latticeFinal(uvec4 h) {
+    h = (h ^ (h >> 16u)) * 0x7FEB352Du;
+    h = (h ^ (h >> 15u)) * 0x846CA68Bu;
+    return h ^ (h >> 16u);
+}
+
+// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
+// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
+    const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
+    uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
+    uvec3 c0 = c * factor;
+    uvec3 c1 = ((c + 1u) & 65535u) * factor;
+    uvec4 square = uvec4(c0.x, c1.x, c0.x, c1.x) ^ uvec4(c0.yy, c1.yy);
+    low = latticeFinal(square ^ (c0.z + 0x165667B1u));
+    high = latticeFinal(square ^ (c1.z + 0x165667B1u));
+}
+
+// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
+float latticeMix(vec4 low, vec4 high, vec3 d) {
+    vec3 s = d * d * (3.0 - 2.0 * d);
+    vec4 plane = mix(low, high, s.z);
+    vec2 line = mix(plane.xy, plane.zw, s.y);
+    return mix(line.x, line.y, s.x);
+}
+
+// A hash read as a signed number is this much of 1.
+const float latticeScale = 1.0 / 2147483648.0;
+
+// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
+// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
+vec4 latticeTerms(uvec4 hash, vec3 d) {
+    vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
+    vec4 dy = vec4(d.yy, d.yy - 1.0);
+    return 0.5 * vec4(ivec4(hash)) + vec4(ivec4(hash << 7u)) * dx + vec4(ivec4(hash << 14u)) * dy
+         + vec4(ivec4(hash << 21u)) * d.z;
+}
+
+// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
+// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+float lattice(vec3 cell, vec3 d) {
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+}
+
+// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+float noise(vec3 p) {
+    vec3 cell = floor(p);
+    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
+}
+
+// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
+// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
+float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 1.0;
+    float sum = 0.0;
+    for (int k = 0; k < count; k++) {
+        sum += strength * noise(p);
+        strength *= noiseRatio;
+        p *= frequencyRatio;
+    }
+    return sum;
+}
+
+// p + rest as a whole cell and a fraction in [0, 1). The cell is known modulo 65536 or exactly: both are exact.
+void latticeCell(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
+    cell = floor(p);
+    d = p - cell + rest;
+    vec3 over = floor(d);
+    d -= over;
+    cell = cell - 65536.0 * floor(cell * (1.0 / 65536.0)) + over;
+}
+
+// A corner's value and gradient, for the four of a face, times 2^31: its hash shifted left by 0, 7, 14, 21 and read as signed.
+void latticeNumbers(uvec4 hash, out vec4 value, out vec4 x, out vec4 y, out vec4 z) {
+    value = vec4(ivec4(hash));
+    x = vec4(ivec4(hash << 7u));
+    y = vec4(ivec4(hash << 14u));
+    z = vec4(ivec4(hash << 21u));
+}
+
+// Gradient and value of the interpolation between eight corners, given by the hashes of both faces; before latticeScale.
+vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
+    vec4 v0, x0, y0, z0, v1, x1, y1, z1;
+    latticeNumbers(low, v0, x0, y0, z0);
+    latticeNumbers(high, v1, x1, y1, z1);
+    vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
+    vec4 dy = vec4(d.yy, d.yy - 1.0);
+    vec4 t0 = 0.5 * v0 + x0 * dx + y0 * dy + z0 * d.z;
+    vec4 t1 = 0.5 * v1 + x1 * dx + y1 * dy + z1 * (d.z - 1.0);
+    vec3 s = d * d * (3.0 - 2.0 * d);
+    vec3 rise = 6.0 * d * (1.0 - d);
+    vec4 plane = mix(t0, t1, s.z);
+    vec2 line = mix(plane.xy, plane.zw, s.y);
+    vec2 across = mix(plane.xz, plane.yw, s.x);
+    vec2 depth = mix((t1 - t0).xy, (t1 - t0).zw, s.y);
+    return vec4(latticeMix(x0, x1, d) + rise.x * (line.y - line.x),
+                latticeMix(y0, y1, d) + rise.y * (across.y - across.x),
+                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x), mix(line.x, line.y, s.x));
+}
+
+// Gradient of lattice(cell, d), then its value. Error 2e-6 in each lane.
+vec4 latticeSlope(vec3 cell, vec3 d) {
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    return latticeRise(low, high, d) * latticeScale;
+}
+
+// Gradient of noise(p + rest), then its value; where the noise is clamped the gradient is 0.
+vec4 noiseSlope(vec3 p, vec3 rest) {
+    vec3 cell, d;
+    latticeCell(p, rest, cell, d);
+    vec4 slope = 2.0 * latticeSlope(cell, d);
+    return abs(slope.w) < 1.0 ? slope : vec4(0.0, 0.0, 0.0, sign(slope.w));
+}
+
+// Of noise, measured: its mean and variance, the mean of its magnitude, and how much finer its grain is than that of lattice noise.
+const float noiseMean = 0.0;
+const float noiseVariance = 0.25;
+const float noiseMagnitude = 0.412;
+const float noiseGrain = 1.0;
+
+// What all octaves add where they are finer than the pixel: the noise's mean is 0.
+float octaveMean(int count, float noiseRatio) {
+    return 0.0;
+}
+
+// How much of an octave of noise the mean over a square of a given edge loses, in periods of the octave. The best factor by least
+// squares is 1 / (1 + q), q = 0.383 w^2 + 0.0467 w^4, measured and fitted to 0.02; of it is taken what makes it end at 2 periods, where
+// an octave has little to do with its mean: 1.43 / (1 + q) - 0.43 are left, and these are lost. Exactly 0 for no width, and good to
+// its last bits for a narrow one; a width of any size squares to a float.
+float octaveLoss(float width) {
+    float periods = min(width, 64.0) * noiseGrain;
+    float w = periods * periods;
+    float q = w * (0.383 + 0.0467 * w);
+    return min(1.43 * q / (1.0 + q), 1.0);
+}
+
+// How much of an octave of noise is left in the mean over a square of a given edge; 1 for no width.
+float octaveShare(float width) {
+    return 1.0 - octaveLoss(width);
+}
+
+// Gradient by p of turbulenceFiltered(p, rest, ...), then its value. Error 5e-6 to the sum of noiseRatio^k frequencyRatio^k.
+vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 1.0;
+    float frequency = 1.0;
+    vec4 sum = vec4(0.0, 0.0, 0.0, octaveMean(count, noiseRatio));
+    for (int k = 0; k < count; k++) {
+        float share = octaveShare(width);
+        if (share <= 0.0 && abs(frequencyRatio) >= 1.0) break;
+        vec4 octave = noiseSlope(p, rest);
+        sum += strength * share * vec4(frequency * octave.xyz, octave.w - noiseMean);
+        strength *= noiseRatio;
+        frequency *= frequencyRatio;
+        p *= frequencyRatio;
+        rest *= frequencyRatio;
+        width *= abs(frequencyRatio);
+    }
+    return sum;
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// How far the point moves: along its normal.
+float matc_displacement() {
+    // displacement.yaml:6 VolumeTurbulence
+    float volumeTurbulence = turbulence(matc_localPosition * 2.0, 4, 2.0, 0.5);
+    return volumeTurbulence * 0.15;
+}
+
+// The unit normal of what the surface comes to be.
+vec3 matc_displacedNormal() {
+    // displacement.yaml:6 VolumeTurbulence
+    vec4 volumeTurbulence = turbulenceGradient(matc_cornerLocalPosition * 2.0, vec3(0.0), 4, 2.0, 0.5, 0.0);
+    float normal = 1.0 / max(length(matc_cornerNormal), 1e-30);
+    vec3 normal_2 = normal * matc_cornerNormal;
+    float normal_3 = volumeTurbulence.w * 0.15;
+    vec3 normal_4 = normal_3 * ((matc_cornerNormalByU - dot(normal_2, matc_cornerNormalByU) * normal_2) * normal) + matc_cornerTangentU;
+    vec3 normal_5 = normal_3 * ((matc_cornerNormalByV - dot(normal_2, matc_cornerNormalByV) * normal_2) * normal) + matc_cornerTangentV;
+    vec3 normal_6 = dot(volumeTurbulence.xyz, matc_cornerLocalTangentU * 2.0) * 0.15 * normal_5 - dot(volumeTurbulence.xyz, matc_cornerLocalTangentV * 2.0) * 0.15 * normal_4;
+    vec3 normal_7 = cross(normal_2, normal_6) + cross(normal_4, normal_5);
+    return safeNormalize(dot(cross(matc_cornerTangentU, matc_cornerTangentV), normal_2) < 0.0 ? -normal_7 : normal_7);
+}
+
+vec3 matc_vec3(uvec2 at, uint vertex) {
+    uint i = at.x + at.y * vertex;
+    return vec3(matc_read[i], matc_read[i + 1u], matc_read[i + 2u]);
+}
+
+void matc_write(uvec2 at, uint vertex, vec3 value) {
+    uint i = at.x + at.y * vertex;
+    matc_written[i] = value.x;
+    matc_written[i + 1u] = value.y;
+    matc_written[i + 2u] = value.z;
+}
+
+// Groups may lie in two rows and more: one row has 65,535 at most.
+void main() {
+    uint vertex = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 64u;
+    if (vertex >= matc_count)
+        return;
+    vec3 position = matc_vec3(matc_at_position, vertex);
+    vec3 displacementNormal = matc_vec3(matc_at_displacementNormal, vertex);
+    vec3 normal = matc_vec3(matc_at_normal, vertex);
+    vec3 tangentU = matc_vec3(matc_at_tangentU, vertex);
+    vec3 tangentV = matc_vec3(matc_at_tangentV, vertex);
+    vec3 normalByU = matc_vec3(matc_at_normalByU, vertex);
+    vec3 normalByV = matc_vec3(matc_at_normalByV, vertex);
+    matc_worldPosition = (matc_worldFromLocal * vec4(position, 1.0)).xyz;
+    matc_localPosition = position;
+    vec3 matc_up = matc_worldNormalFromLocal * displacementNormal;
+    matc_worldPosition += matc_displacement() * matc_up / max(length(matc_up), 1e-30);
+    matc_write(matc_to_position, vertex, (matc_outFromWorld * vec4(matc_worldPosition, 1.0)).xyz);
+    if (matc_to_normal.y == 0u)
+        return; // nobody wants normals
+    matc_cornerNormal = matc_worldNormalFromLocal * normal;
+    matc_cornerTangentU = (matc_worldFromLocal * vec4(tangentU, 0.0)).xyz;
+    matc_cornerTangentV = (matc_worldFromLocal * vec4(tangentV, 0.0)).xyz;
+    matc_cornerLocalPosition = position;
+    matc_cornerLocalTangentU = tangentU;
+    matc_cornerLocalTangentV = tangentV;
+    matc_cornerNormalByU = matc_worldNormalFromLocal * normalByU;
+    matc_cornerNormalByV = matc_worldNormalFromLocal * normalByV;
+    vec3 matc_turned = matc_outNormalFromWorld * matc_displacedNormal();
+    matc_write(matc_to_normal, vertex, matc_turned / max(length(matc_turned), 1e-30));
+}

@@ -1,0 +1,257 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout compact
+
+in vec3 worldNormal;
+in vec3 worldTangentU;
+in vec3 worldTangentV;
+in vec2 uv;
+in vec3 localPosition;
+in vec3 localTangentU;
+in vec3 localTangentV;
+uniform mat3 matc_eyeFromWorld;
+layout(location = 0) out uvec4 fragment0;
+
+// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
+uvec4 latticeFinal(uvec4 h) {
+    h = (h ^ (h >> 16u)) * 0x7FEB352Du;
+    h = (h ^ (h >> 15u)) * 0x846CA68Bu;
+    return h ^ (h >> 16u);
+}
+
+// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
+// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
+    const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
+    uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
+    uvec3 c0 = c * factor;
+    uvec3 c1 = ((c + 1u) & 65535u) * factor;
+    uvec4 square = uvec4(c0.x, c1.x, c0.x, c1.x) ^ uvec4(c0.yy, c1.yy);
+    low = latticeFinal(square ^ (c0.z + 0x165667B1u));
+    high = latticeFinal(square ^ (c1.z + 0x165667B1u));
+}
+
+// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
+float latticeMix(vec4 low, vec4 high, vec3 d) {
+    vec3 s = d * d * (3.0 - 2.0 * d);
+    vec4 plane = mix(low, high, s.z);
+    vec2 line = mix(plane.xy, plane.zw, s.y);
+    return mix(line.x, line.y, s.x);
+}
+
+// A hash read as a signed number is this much of 1.
+const float latticeScale = 1.0 / 2147483648.0;
+
+// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
+// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
+vec4 latticeTerms(uvec4 hash, vec3 d) {
+    vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
+    vec4 dy = vec4(d.yy, d.yy - 1.0);
+    return 0.5 * vec4(ivec4(hash)) + vec4(ivec4(hash << 7u)) * dx + vec4(ivec4(hash << 14u)) * dy
+         + vec4(ivec4(hash << 21u)) * d.z;
+}
+
+// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
+// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+float lattice(vec3 cell, vec3 d) {
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+}
+
+// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+float noise(vec3 p) {
+    vec3 cell = floor(p);
+    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
+}
+
+// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
+// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
+float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 1.0;
+    float sum = 0.0;
+    for (int k = 0; k < count; k++) {
+        sum += strength * noise(p);
+        strength *= noiseRatio;
+        p *= frequencyRatio;
+    }
+    return sum;
+}
+
+// p + rest as a whole cell and a fraction in [0, 1). The cell is known modulo 65536 or exactly: both are exact.
+void latticeCell(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
+    cell = floor(p);
+    d = p - cell + rest;
+    vec3 over = floor(d);
+    d -= over;
+    cell = cell - 65536.0 * floor(cell * (1.0 / 65536.0)) + over;
+}
+
+// A corner's value and gradient, for the four of a face, times 2^31: its hash shifted left by 0, 7, 14, 21 and read as signed.
+void latticeNumbers(uvec4 hash, out vec4 value, out vec4 x, out vec4 y, out vec4 z) {
+    value = vec4(ivec4(hash));
+    x = vec4(ivec4(hash << 7u));
+    y = vec4(ivec4(hash << 14u));
+    z = vec4(ivec4(hash << 21u));
+}
+
+// Gradient and value of the interpolation between eight corners, given by the hashes of both faces; before latticeScale.
+vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
+    vec4 v0, x0, y0, z0, v1, x1, y1, z1;
+    latticeNumbers(low, v0, x0, y0, z0);
+    latticeNumbers(high, v1, x1, y1, z1);
+    vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
+    vec4 dy = vec4(d.yy, d.yy - 1.0);
+    vec4 t0 = 0.5 * v0 + x0 * dx + y0 * dy + z0 * d.z;
+    vec4 t1 = 0.5 * v1 + x1 * dx + y1 * dy + z1 * (d.z - 1.0);
+    vec3 s = d * d * (3.0 - 2.0 * d);
+    vec3 rise = 6.0 * d * (1.0 - d);
+    vec4 plane = mix(t0, t1, s.z);
+    vec2 line = mix(plane.xy, plane.zw, s.y);
+    vec2 across = mix(plane.xz, plane.yw, s.x);
+    vec2 depth = mix((t1 - t0).xy, (t1 - t0).zw, s.y);
+    return vec4(latticeMix(x0, x1, d) + rise.x * (line.y - line.x),
+                latticeMix(y0, y1, d) + rise.y * (across.y - across.x),
+                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x), mix(line.x, line.y, s.x));
+}
+
+// Gradient of lattice(cell, d), then its value. Error 2e-6 in each lane.
+vec4 latticeSlope(vec3 cell, vec3 d) {
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    return latticeRise(low, high, d) * latticeScale;
+}
+
+// Gradient of noise(p + rest), then its value; where the noise is clamped the gradient is 0.
+vec4 noiseSlope(vec3 p, vec3 rest) {
+    vec3 cell, d;
+    latticeCell(p, rest, cell, d);
+    vec4 slope = 2.0 * latticeSlope(cell, d);
+    return abs(slope.w) < 1.0 ? slope : vec4(0.0, 0.0, 0.0, sign(slope.w));
+}
+
+// Of noise, measured: its mean and variance, the mean of its magnitude, and how much finer its grain is than that of lattice noise.
+const float noiseMean = 0.0;
+const float noiseVariance = 0.25;
+const float noiseMagnitude = 0.412;
+const float noiseGrain = 1.0;
+
+// What all octaves add where they are finer than the pixel: the noise's mean is 0.
+float octaveMean(int count, float noiseRatio) {
+    return 0.0;
+}
+
+// How much of an octave of noise the mean over a square of a given edge loses, in periods of the octave. The best factor by least
+// squares is 1 / (1 + q), q = 0.383 w^2 + 0.0467 w^4, measured and fitted to 0.02; of it is taken what makes it end at 2 periods, where
+// an octave has little to do with its mean: 1.43 / (1 + q) - 0.43 are left, and these are lost. Exactly 0 for no width, and good to
+// its last bits for a narrow one; a width of any size squares to a float.
+float octaveLoss(float width) {
+    float periods = min(width, 64.0) * noiseGrain;
+    float w = periods * periods;
+    float q = w * (0.383 + 0.0467 * w);
+    return min(1.43 * q / (1.0 + q), 1.0);
+}
+
+// How much of an octave of noise is left in the mean over a square of a given edge; 1 for no width.
+float octaveShare(float width) {
+    return 1.0 - octaveLoss(width);
+}
+
+// Gradient by p of turbulenceFiltered(p, rest, ...), then its value. Error 5e-6 to the sum of noiseRatio^k frequencyRatio^k.
+vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 1.0;
+    float frequency = 1.0;
+    vec4 sum = vec4(0.0, 0.0, 0.0, octaveMean(count, noiseRatio));
+    for (int k = 0; k < count; k++) {
+        float share = octaveShare(width);
+        if (share <= 0.0 && abs(frequencyRatio) >= 1.0) break;
+        vec4 octave = noiseSlope(p, rest);
+        sum += strength * share * vec4(frequency * octave.xyz, octave.w - noiseMean);
+        strength *= noiseRatio;
+        frequency *= frequencyRatio;
+        p *= frequencyRatio;
+        rest *= frequencyRatio;
+        width *= abs(frequencyRatio);
+    }
+    return sum;
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    vec3 worldNormalByX = dFdx(worldNormal);
+    vec3 worldNormalByY = dFdy(worldNormal);
+    // downs.yaml:17 VolumeTurbulence
+    float diffuse_volumeTurbulence = turbulence(localPosition * 6.0, 4, 2.0, 1.0);
+    // downs.yaml:17 Blend
+    vec3 diffuse_blend = mix(vec3(0.06847817, 0.10224173, 0.023153367), vec3(0.20507874, 0.2158605, 0.061246052), clamp((diffuse_volumeTurbulence + 0.4) * 1.25, 0.0, 1.0));
+    // downs.yaml:14 VolumeTurbulence
+    vec4 volumeTurbulence = turbulenceGradient(localPosition * 0.45, vec3(0.0), 5, 2.0, 0.35, 0.0);
+    float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
+    bool normal_2 = abs(normal_1) < 1e-30;
+    float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
+    vec3 normal_4 = (uvByY.y * worldNormalByX - uvByX.y * worldNormalByY) * normal_3;
+    float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
+    vec3 normal_6 = normal_5 * worldNormal;
+    vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    float normal_8 = volumeTurbulence.w * 0.7;
+    float normal_9 = clamp(normal_8, -1.5, 1.5);
+    float normal_10 = step(-1.5, normal_8);
+    float normal_11 = step(normal_8, 1.5);
+    vec3 normal_12 = normal_9 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
+    vec3 normal_13 = normal_9 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
+    vec3 normal_14 = dot(volumeTurbulence.xyz, localTangentU * 0.45) * 0.7 * normal_11 * normal_10 * normal_13 - dot(volumeTurbulence.xyz, localTangentV * 0.45) * 0.7 * normal_11 * normal_10 * normal_12;
+    vec3 normal_15 = cross(normal_6, normal_14) + cross(normal_12, normal_13);
+    vec3 normal_16 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_15 : normal_15));
+    vec3 normal = normal_16 * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
+}
