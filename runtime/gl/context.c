@@ -8,7 +8,11 @@
 #include <string.h>
 
 static const GlBackend *const backends[GL_KIND_count] = {
+#ifdef MATC_TESTS_BY_EGL /* a GPU draws what tests have OSMesa draw: tests/bench/device.sh */
+    [GL_KIND_osmesa] = &gl_backend_egl,
+#else
     [GL_KIND_osmesa] = &gl_backend_osmesa,
+#endif
     [GL_KIND_egl] = &gl_backend_egl,
 };
 
