@@ -80,6 +80,10 @@ static void rounds_end_where_nothing_is_found(void **state)
     assert_int_equal(runs_of(bounded, "range", &left), 2);
     assert_int_equal(runs_of(plain, "range", &nodes), 1);
     assert_int_equal(left, nodes); /* and that is all that was there to be found */
+    /* what a sweep made anew has an interval in the next round alone, and is decided then */
+    runs_of("material: Phong\ndiffuse: \"= 2 * fract(u)\"\n", "range", &nodes);
+    assert_int_equal(runs_of("material: Phong\ndiffuse: \"= max(2 * max(fract(u), -1), -3)\"\n", "range", &left), 3);
+    assert_int_equal(left, nodes);
 }
 
 int main(void)
