@@ -106,7 +106,7 @@ set_target_properties(operation PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DI
 matc_test(operation operation)
 
 # Polynomials of the renderer's lobes, to be put into its GLSL: programs to run by hand
-foreach(name principled anisotropy area film)
+foreach(name principled anisotropy area film diffuse)
   add_executable(fit_${name} EXCLUDE_FROM_ALL tests/fits/${name}.c tests/fits/solve.c)
   target_include_directories(fit_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(fit_${name} PRIVATE matc_flags m)

@@ -303,7 +303,7 @@ MATC_API void matc_layout_free(MatcLayout *layout);
 
 /* What a set of materials can be, for the smallest layout that holds it. Plain data: copy it, keep it as long as the library is
  * of the same number; with another one it may have another size. */
-enum { MATC_SLOTS = 28, MATC_SETS = 256 };
+enum { MATC_SLOTS = 30, MATC_SETS = 256 };
 typedef struct {
     double low[4], high[4]; /* of each lane, over those that count */
     int counted;            /* materials to which the slot matters */

@@ -152,6 +152,8 @@ static void slots_are_shown(void **state)
         {"film", "{ material: Principled, film: 0.75 }", {191.25, 191.25, 191.25}},
         {"filmPath", "{ material: Principled, film: 1, filmThickness: 0.125, filmIor: 2 }", {127.5, 127.5, 127.5}},
         {"filmIor", "{ material: Principled, film: 1, filmIor: 1.5 }", {127.5, 127.5, 127.5}},
+        {"diffuseRoughness", "{ material: Principled, diffuseRoughness: 0.25 }", {63.75, 63.75, 63.75}},
+        {"coatNormal", "{ material: Principled, coat: 1, input: { map: BumpMap } }", {127.5, 127.5, 255}}, /* as smooth as the sphere */
         {"model", "{ material: Principled }", {255, 255, 255}},
         {"model", "{}", {0, 0, 0}},
     };

@@ -114,7 +114,7 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same, c
     range->alike = same[value];
     for (int lane = 0; lane < type_table[row->type].lanes; lane++) {
         Interval found = range_of(ranges, ir, value, lane);
-        if (output->index == SLOT_normal) /* it is stored as the eye sees it: no way is ever left out */
+        if (slot_mixing((Slot)output->index) == MIXING_DIRECTION) /* it is stored as the eye sees it: no way is ever left out */
             found = (Interval){row->low, row->high};
         range->low[lane] = fmin(fmax(found.low, row->low), row->high);
         range->high[lane] = fmax(fmin(found.high, row->high), row->low);

@@ -43,7 +43,7 @@ static void check_meaning(Checker *k, const FieldRow *field, Span span)
     bool fine = true;
     for (int i = 0; i < field->count && fine; i++) {
         const SlotRow *slot = &slot_table[field->source[i].slot];
-        if (directions && (field->source[i].slot != SLOT_normal || field->source[i].lane != i))
+        if (directions && (slot_mixing(field->source[i].slot) != MIXING_DIRECTION || field->source[i].lane != i))
             fine = diag_add(k->session, span, DIAG_field_normal, encoding->name);
         else if (!directions && slot->low < 0 && field_low(field) >= 0)
             fine = diag_add(k->session, span, DIAG_field_sign, encoding->name, number_text(k, field_low(field)),

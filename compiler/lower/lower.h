@@ -201,6 +201,8 @@ Ref lower_reflectance(Ir *ir, Ref ior);
 
 /* The shading normal as a G-buffer holds it, of eye space or the world, unit length, turned to the viewer. */
 Ref lower_stored_normal(Lower *l, const Node *material, const Env *env);
+/* The coat's own, the same, or nothing. */
+Ref lower_stored_coat_normal(Lower *l, const Node *material, const Env *env);
 /* The slot anisotropy about that normal. lower_principled.c */
 Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env);
 /* Writes every render target of the job's layout, by that case of it. lower_layout.c */
@@ -210,6 +212,8 @@ void lower_layout(Lower *l, int number, const Node *material, const Env *env);
 int lower_layout_case(Lower *l, const Node *material, const Env *env);
 /* The case that loses the fewest slots, which is said; their number: the layout is not for everything, or none knows the model. */
 int lower_nearest_case(Lower *l, const Node *material, const Env *env);
+/* A warning about what no case of a layout for all Principled materials has room for. */
+void lower_left_out(Lower *l, const Node *material, const Env *env);
 /* Says that there is none. */
 void lower_no_case(Lower *l, const Node *material, const Env *env);
 /* The slots that a case of a layout made for a set must store for the material to take it, 1 << slot; alpha is in the

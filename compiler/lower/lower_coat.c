@@ -162,6 +162,8 @@ Ref lower_Layer(Lower *l, const Node *m, Slot slot, const Env *env)
         const Ref film = lower_value_slot(l, side, true, SLOT_film, env);
         return ir_is_number(ir, film, 0) ? base : lower_where_there(ir, film, slot, lower_coated_film(l, &coat, base, env));
     }
+    if (slot == SLOT_coatNormal && !ir_is_number(ir, base, 0)) /* of the base's coat, where that is seen */
+        return build_select(ir, build_lt(ir, build_float(ir, 0), weight(l, &coat, env)), build_all(ir, TYPE_vec3, 0), base);
     if (!own)
         return below(l, &coat, slot, base, env);
     const Ref diffuse = build_convert(ir, lower_value_slot(l, side, true, SLOT_diffuse, env), TYPE_vec3);

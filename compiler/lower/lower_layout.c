@@ -11,6 +11,8 @@ static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env
 {
     if (slot == SLOT_anisotropy)
         return lower_stored_anisotropy(l, material, env);
+    if (slot == SLOT_coatNormal)
+        return lower_stored_coat_normal(l, material, env);
     return slot == SLOT_normal ? lower_stored_normal(l, material, env) : lower_slot(l, material, slot, env);
 }
 
@@ -207,6 +209,13 @@ int lower_nearest_case(Lower *l, const Node *material, const Env *env)
     if (nearest < row->case_count)
         diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_loses, row->name, names_of(l, least));
     return nearest;
+}
+
+void lower_left_out(Lower *l, const Node *material, const Env *env)
+{
+    const LayoutRow *row = l->job->layout;
+    if (layout_has_slot(row, SLOT_model) && !layout_has_slot(row, SLOT_coatNormal) && layout_is_whole(row) && !is_absent(l, material, SLOT_coatNormal, env))
+        diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_loses, row->name, slot_table[SLOT_coatNormal].name);
 }
 
 unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env)

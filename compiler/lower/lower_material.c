@@ -269,10 +269,16 @@ static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
     return eye ? in_eye_space(l, normal, env) : normal;
 }
 
-static Ref normal_of(Lower *l, const Node *m, const Env *mesh, bool eye)
+/* The surface after it was displaced. */
+static Env shape_env(Lower *l, const Node *m, const Env *mesh)
 {
     const Node *displaced = lower_displaced(m);
-    const Env moved = displaced && !graph_displaces_volume(displaced) ? lower_displaced_env(l, displaced, mesh) : *mesh, *env = &moved;
+    return displaced && !graph_displaces_volume(displaced) ? lower_displaced_env(l, displaced, mesh) : *mesh;
+}
+
+static Ref normal_of(Lower *l, const Node *m, const Env *mesh, bool eye)
+{
+    const Env moved = shape_env(l, m, mesh), *env = &moved;
     const Node *front = seen_from(m, true), *back = seen_from(m, false);
     if (front == back)
         return side_normal(l, front, env, eye);
@@ -296,12 +302,35 @@ Ref lower_stored_normal(Lower *l, const Node *material, const Env *env)
     return value;
 }
 
+/* Nothing stays nothing. */
+static Ref coat_normal_of(Lower *l, const Node *material, const Env *mesh, bool eye)
+{
+    Ir *ir = l->ir;
+    const double least = 1e-15;
+    const Env env = shape_env(l, material, mesh);
+    Ref value = lower_value_slot(l, material, lower_is_principled(l, material), SLOT_coatNormal, &env);
+    if (ir_is_number(ir, value, 0))
+        return value;
+    value = eye ? build_call(ir, FN_eyeFromWorld, value) : value;
+    Ref side = build_select(ir, mesh->front, build_float(ir, 1), build_float(ir, -1));
+    return build_mul(ir, value, build_splat(ir, build_div(ir, side, build_max(ir, build_length(ir, value), build_float(ir, least))), TYPE_vec3));
+}
+
+Ref lower_stored_coat_normal(Lower *l, const Node *material, const Env *env)
+{
+    l->ir->origin = ORIGIN_SLOTS + SLOT_coatNormal;
+    Ref value = coat_normal_of(l, material, env, l->job->normals == NORMALS_eye);
+    lower_mark_head(l->ir, value, ORIGIN_SLOTS + SLOT_coatNormal);
+    return value;
+}
+
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
     ir->origin = (uint32_t)(ORIGIN_SLOTS + slot);
-    Ref value = slot == SLOT_normal ? finished_normal(l, normal_of(l, material, env, false), env)
-                                    : lower_value_slot(l, material, lower_is_principled(l, material), slot, env);
+    Ref value = slot == SLOT_normal       ? finished_normal(l, normal_of(l, material, env, false), env)
+                : slot == SLOT_coatNormal ? coat_normal_of(l, material, env, false)
+                                          : lower_value_slot(l, material, lower_is_principled(l, material), slot, env);
     value = build_convert(ir, value, slot_table[slot].type);
     lower_mark_head(ir, value, ir->origin);
     return value;

@@ -1,7 +1,9 @@
 /* What a pass computes: the environment it starts from and the outputs it writes. */
+#include "compiler/layout/layout.h"
 #include "compiler/lower/lower.h"
 #include "compiler/lower/slope.h"
 #include "compiler/base/stack.h"
+#include "grammar/lobe_table.h"
 #include <string.h>
 
 /* Shadows are seen by lights, of which a pass may be for several; the sky is as it is wherever it is seen from. */
@@ -141,11 +143,24 @@ Lower lower_start(const LowerRequest *what, int optimize)
     return l;
 }
 
+/* A coat's own normal, asked of an IR of its own, so that the program's is the same in all layouts. */
+static void warn_left_out(Lower *l, const Node *material)
+{
+    const LayoutRow *row = l->job->layout;
+    if (!l->cheap || row->case_count < 2 || !material || layout_has_slot(row, SLOT_coatNormal) || !(l->graph->models[material->index] & MODEL_LOBE(LOBE_coat)))
+        return;
+    Lower probe = lower_start(&(LowerRequest){l->session, l->graph, material, l->job, l->simplify}, 1);
+    const Env own = lower_pass_env(&probe);
+    lower_left_out(&probe, material, &own);
+    l->failed |= probe.failed;
+}
+
 /* The same at every level: where nothing is simplified, it is found on an IR of its own. So it is where numbers that come from
  * a buffer hide which slots are absent, and no case has all of those that may be there. */
 static int find_case(Lower *l, const Node *material, const Env *env)
 {
     const int none = l->job->layout->case_count;
+    warn_left_out(l, material);
     int number = none == 1 ? 0 : l->cheap ? lower_layout_case(l, material, env) : none;
     if (number < none || l->failed)
         return number % none;

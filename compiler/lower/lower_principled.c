@@ -203,6 +203,17 @@ Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env)
     return build_call(ir, FN_anisotropyStored, own, normal, du, dv);
 }
 
+/* Where it is not the normal of `input`, as where neither is given. */
+static Ref coat_normal(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    const Node *own = lower_param_node(m, P_Principled_coatNormal);
+    Ref there = share(l, m, P_Principled_coat, env);
+    if (own == lower_param_node(m, P_Principled_input) || ir_is_number(ir, there, 0))
+        return build_all(ir, TYPE_vec3, 0);
+    return lower_where_there(ir, there, SLOT_coatNormal, build_call(ir, FN_safeNormalize, lower_ask(l, own, GROUP_N, env)));
+}
+
 Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
@@ -248,6 +259,10 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
         return film(l, m, &coat, slot, env);
     case SLOT_anisotropy:
         return anisotropy(l, m, env);
+    case SLOT_coatNormal:
+        return coat_normal(l, m, env);
+    case SLOT_diffuseRoughness:
+        return share(l, m, P_Principled_diffuseRoughness, env);
     default:
         return build_all(ir, slot_table[slot].type, slot_table[slot].absent);
     }

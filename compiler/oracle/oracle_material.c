@@ -236,6 +236,7 @@ static void answer_displaced(Environment *environment, const Node *material, Slo
     there.mesh = environment->surface;
     answer(&there, material, &moved);
     memcpy(result->lane[SLOT_normal], moved.lane[SLOT_normal], sizeof result->lane[SLOT_normal]);
+    memcpy(result->lane[SLOT_coatNormal], moved.lane[SLOT_coatNormal], sizeof result->lane[SLOT_coatNormal]);
 }
 
 typedef struct {

@@ -117,6 +117,21 @@ static void set_film(Environment *environment, const Node *material, SlotValues 
     result->lane[SLOT_filmPath][0] = fmin(fmax(path, 0), slot_table[SLOT_filmPath].high);
 }
 
+/* The coat's own normal, unless it is that of `input`: of the same map, or both are the surface's. */
+static void set_coat_normal(Environment *environment, const Node *material, SlotValues *result)
+{
+    double normal[3], *lane = result->lane[SLOT_coatNormal];
+    const Value *own = node_param(material, P_Principled_coatNormal), *input = node_param(material, P_Principled_input);
+    const Node *maps[2] = {own->kind == VALUE_node ? own->node : NULL, input->kind == VALUE_node ? input->node : NULL};
+    if (maps[0] == maps[1] || !(result->lane[SLOT_coat][0] > 0))
+        return;
+    for (int i = 0; i < 3; i++)
+        normal[i] = oracle_ask_param(environment, material, P_Principled_coatNormal, channel_id(GROUP_N, i));
+    oracle_call(environment, FN_safeNormalize, normal, lane);
+    for (int i = 0; i < 3 && !environment->surface->front; i++)
+        lane[i] = -lane[i];
+}
+
 /* Both sides of thin walls that let light through reflect. */
 static double of_both_sides(Environment *environment, const Node *material, double once)
 {
@@ -151,11 +166,13 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     result->lane[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
     result->lane[SLOT_reflectance][0] = weight * reflectance_of(ior);
     result->lane[SLOT_model][0] = MODEL_Principled;
+    result->lane[SLOT_diffuseRoughness][0] = unit(ask_red(environment, material, P_Principled_diffuseRoughness));
     set_anisotropy(environment, material, result);
     let_through(environment, material, result);
     set_film(environment, material, result);
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, ior, weight, result);
+    set_coat_normal(environment, material, result);
     result->lane[SLOT_reflectance][0] = of_both_sides(environment, material, result->lane[SLOT_reflectance][0]);
     const double fuzz = ask_red(environment, material, P_Principled_fuzz);
     if (!(fuzz > 0))
@@ -176,6 +193,8 @@ void oracle_Layer(Environment *environment, const Node *material, SlotValues *re
     const double root = sqrt(unit(result->lane[SLOT_reflectance][0]));
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, (1 + root) / fmax(1 - root, LEAST), 1, result);
+    for (int i = 0; i < 3 && coat.weight > 0; i++) /* that of the base's coat */
+        result->lane[SLOT_coatNormal][i] = 0;
 }
 
 bool oracle_is_principled(const Environment *environment, const Node *material)
@@ -223,7 +242,11 @@ static void mix_slot(const Environment *environment, Slot slot, const SlotValues
     }
     for (int i = 0; i < 3; i++)
         mean[i] = a[i] * (1 - by) + b[i] * by;
-    if (slot_mixing(slot) == MIXING_DIRECTION) {
+    if (slot == SLOT_coatNormal) {
+        const double size = fmax(sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]), 1e-15);
+        for (int i = 0; i < 3; i++)
+            mean[i] /= size;
+    } else if (slot_mixing(slot) == MIXING_DIRECTION) {
         const double side = environment->surface->front ? 1 : -1;
         const double turned[3] = {side * mean[0], side * mean[1], side * mean[2]};
         oracle_set_normal(environment, turned, result);

@@ -125,7 +125,7 @@ static Distance picture_distance(int slot, const float *found, const float *want
 static Distance find_aliased(Errors *e, const Variant *variant, int slot, Material *material)
 {
     Distance none = {NAN, NAN};
-    if (!e->request->aliasing || slot == SLOT_normal)
+    if (!e->request->aliasing || slot == SLOT_normal || slot == SLOT_coatNormal)
         return none;
     const float *wanted = mean_of(e, variant, slot);
     float *found = errors_room(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *found);

@@ -2,6 +2,9 @@
 // polynomials; test_principled.c and test_principled_lobes.c hold them against the integrals.
 #if defined(SURFACE_HAS_coat) && !defined(SURFACE_LACKS_coat)
 #define LIT_COAT
+#ifdef SURFACE_HAS_coatNormal
+#define LIT_COAT_NORMAL
+#endif
 #endif
 #if defined(SURFACE_HAS_fuzz) && !defined(SURFACE_LACKS_fuzz)
 #define LIT_FUZZ
@@ -19,6 +22,9 @@
 #endif
 #if defined(SURFACE_HAS_diffuseTransparency) && !defined(SURFACE_LACKS_diffuseTransparency)
 #define LIT_BEHIND
+#endif
+#if defined(SURFACE_HAS_diffuseRoughness) && !defined(SURFACE_LACKS_diffuseRoughness)
+#define LIT_GRAIN
 #endif
 #if defined(LIT_COAT) || defined(LIT_FUZZ)
 #define LIT_LAYERS
@@ -79,6 +85,52 @@ TONE reflectedOf(vec2 albedo, float reflectance, TONE again)
     return mix(albedo.y, 1.0 - albedo.x, reflectance) + albedo.x * again;
 }
 
+#ifdef LIT_GRAIN
+// A rough diffuse base: Fujii's form of Oren and Nayar's lobe (2012), once (1 + rough s / t), s = l.v - n.l n.v, t the greater of n.l and n.v where s is above 0, else 1.
+// What it sends less than an even base does is sent evenly, with the colour of light that goes on within, as OpenPBR 1.1 has it (Portsmouth, Kutz and Hill 2025); here
+// both stand below what facets reflect and layers keep: light comes in, and leaves, by high - tilt x - low x^5 of the mean, x = 1 - cosine, as Schlick's formula
+// goes, and fuzz, nearly.
+//   Worked example, nothing above it and rough 1: high is 1, the others 0; along the normal it sends once, 0.78 of all, and 0.22 are spread.
+struct Grain {
+    float rough, once;
+    TONE high, tilt, low, all; // all: the share of light that is sent once, of light from all around to all sides
+};
+
+// What comes in along the normal, and where the cosine is 1/4, and in the mean: the means of x and x^5 are 1/3 and 1/21.
+Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
+{
+    Grain g;
+    g.rough = rough;
+    g.once = 1.0 / (1.0 + 0.287793409 * rough); // 1/2 - 2 / (3 pi)
+    g.high = along / mean;
+    g.low = (2.25 - 1.25 * g.high - aside / mean) / 0.130162;
+    g.tilt = 3.0 * (g.high - 1.0) - g.low / 7.0;
+    TONE twice = g.high * (0.0724882 * g.high - 0.079926 * g.tilt - 0.0192424 * g.low);
+    twice += g.tilt * (0.0230228 * g.tilt + 0.0120406 * g.low) + 0.00189903 * g.low * g.low;
+    g.all = min(g.once * (1.0 + rough * twice), TONE(0.99999));
+    return g;
+}
+
+// What of light from a direction is not sent once: 1 - the integral, within 0.001 of it (tests/fits/diffuse.c prints the polynomials).
+TONE grainLost(Grain g, float cosine)
+{
+    float x = 1.0 - cosine, even = x * (0.0513992761 + x * (0.522664541 + x * (-0.380763677 + x * 0.0949094912)));
+    float tilted = x * (0.0213192591 + x * (0.212938029 + x * (-0.0119260548 - x * 0.0215686333)));
+    float grazing = x * (0.000861711141 + x * (0.0627187395 + x * (-0.0857491434 + x * 0.11174924)));
+    return max(1.0 - g.once * (1.0 + g.rough * (g.high * even - g.tilt * tilted - g.low * grazing)), TONE(0.0));
+}
+
+// The colour of what goes on within and leaves, over what is not sent once in the mean.
+vec3 grainAgain(Grain g, vec3 color) { return color * color * g.all / ((1.0 - color * (1.0 - g.all)) * (1.0 - g.all)); }
+
+// Of what comes in from l and leaves toward v, over what leaves of an even base of colour 1.
+vec3 grained(Grain g, vec3 color, vec3 again, float between, vec2 cosines, TONE lost)
+{
+    float s = between - cosines.x * cosines.y, t = s > 0.0 ? max(cosines.x, cosines.y) : 1.0;
+    return color * g.once * (1.0 + g.rough * s / t) + again * lost;
+}
+#endif
+
 #ifdef LIT_FILM
 struct Film {
     float weight, path, ior;
@@ -124,6 +176,26 @@ vec3 filmAround(Film film, vec2 albedo, float alpha, vec3 base)
     vec2 angles = clamp(cosine + vec2(-0.15, 0.35) * alpha, 0.0, 1.0);
     return 0.5 * (filmReflected(film, angles.x, base) + filmReflected(film, angles.y, base));
 }
+
+Film filmOf(Surface s)
+{
+    Film film = Film(clamp(s.film, 0.0, 1.0), 0.0, 1.0);
+#ifdef SURFACE_HAS_filmPath
+    film.path = clamp(s.filmPath, 0.0, 5.0);
+#endif
+#ifdef SURFACE_HAS_filmIor
+    film.ior = clamp(s.filmIor, 0.5, 3.0);
+#endif
+    return film;
+}
+
+// As reflectedOf(), where a film is.
+vec3 filmedOf(Film film, vec2 albedo, float alpha, float reflectance, vec3 again)
+{
+    vec3 plain = reflectedOf(albedo, reflectance, again);
+    if (film.weight <= 0.0) return plain;
+    return mix(plain, (1.0 - albedo.x) * filmAround(film, albedo, alpha, vec3(reflectance)) + albedo.x * again, film.weight);
+}
 #endif
 
 // GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the header; h is the half vector.
@@ -150,6 +222,38 @@ vec2 evenOf(float rough, vec2 cosines) { return 0.86 * smoothstep(vec2(0.05), 0.
 #endif
 
 #ifdef LIT_COAT
+// The slots of the coat but its weight.
+struct Coat {
+    vec3 tint;
+    float rough, reflectance;
+};
+
+Coat coatOf(Surface s)
+{
+    Coat coat = Coat(vec3(1.0), 0.0, 0.0);
+#ifdef SURFACE_HAS_coatTint
+    coat.tint = clamp(s.coatTint, 0.0, 1.0);
+#endif
+#ifdef SURFACE_HAS_coatRoughness
+    coat.rough = s.coatRoughness;
+#endif
+#ifdef SURFACE_HAS_coatReflectance
+    coat.reflectance = clamp(s.coatReflectance, 0.0, 1.0);
+#endif
+    coat.rough = clamp(coat.rough, 0.0316227766, 1.0);
+    return coat;
+}
+
+// Where it has no normal of its own, it lies as the surface does.
+vec3 coatNormalOf(Surface s, vec3 normal)
+{
+#ifdef LIT_COAT_NORMAL
+    return dot(s.coatNormal, s.coatNormal) > 0.25 ? s.coatNormal : normal;
+#else
+    return normal;
+#endif
+}
+
 // What a white mirror of a roughness lacks below a coat: `share` is what such a coat has against a smooth one.
 Row coatSpread(float rough, float share)
 {
@@ -165,6 +269,16 @@ Row coatSpread(float rough, float share)
 #endif
 
 #ifdef LIT_FUZZ
+// Narrower fibres of that lobe would send more than arrives.
+float fuzzRoughOf(Surface s)
+{
+#ifdef SURFACE_HAS_fuzzRoughness
+    return clamp(s.fuzzRoughness, 0.2, 1.0);
+#else
+    return 0.2;
+#endif
+}
+
 // All that fuzz of weight 1 sends of light from a direction: a polynomial, fitted to integrals of its lobe within 0.005 for cosines from 0.04 on.
 float fuzzAlbedo(float cosine, float rough)
 {

@@ -22,6 +22,10 @@ struct Lit {
 #ifdef LIT_ANISOTROPY
     Anisotropy anisotropy;
 #endif
+#ifdef LIT_GRAIN
+    Grain grain;
+    vec3 grainAgain; // what of the eye's light goes on within
+#endif
 #ifdef LIT_FILM
     Film film;
     vec3 filmMean, metalFilmMean, filmLeft; // what is reflected where it is: over all directions; once, times what layers let through
@@ -30,7 +34,8 @@ struct Lit {
     mat3 glossInto, coatInto; // areaFacets()
 #endif
 #ifdef LIT_COAT
-    vec3 coatTint;
+    vec3 coatTint, coatNormal;
+    float coatCosine; // of the eye
     Gloss coatFacets;
     float coat, coatShine, coatAlpha, coatReflectance, coatGloss;
     float coatOfEye, coatMean; // what is let through: of the eye's light, in the mean
@@ -70,28 +75,6 @@ vec2 baseAround(Lit m, float cosine)
 #endif
 }
 
-#ifdef LIT_FILM
-Film filmOf(Surface s)
-{
-    Film film = Film(clamp(s.film, 0.0, 1.0), 0.0, 1.0);
-#ifdef SURFACE_HAS_filmPath
-    film.path = clamp(s.filmPath, 0.0, 5.0);
-#endif
-#ifdef SURFACE_HAS_filmIor
-    film.ior = clamp(s.filmIor, 0.5, 3.0);
-#endif
-    return film;
-}
-
-// As reflectedOf(), where a film is.
-vec3 filmedOf(Film film, vec2 albedo, float alpha, float reflectance, vec3 again)
-{
-    vec3 plain = reflectedOf(albedo, reflectance, again);
-    if (film.weight <= 0.0) return plain;
-    return mix(plain, (1.0 - albedo.x) * filmAround(film, albedo, alpha, vec3(reflectance)) + albedo.x * again, film.weight);
-}
-#endif
-
 // What the dielectric reflects of all that arrives from a direction with that albedo().
 TONE baseReflected(Lit m, vec2 albedo)
 {
@@ -113,40 +96,20 @@ float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - al
 
 float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatFacets), m.coatReflectance); }
 
-// The slots of the coat but its weight.
-struct Coat {
-    vec3 tint;
-    float rough, reflectance;
-};
-
-Coat coatOf(Surface s)
-{
-    Coat coat = Coat(vec3(1.0), 0.0, 0.0);
-#ifdef SURFACE_HAS_coatTint
-    coat.tint = clamp(s.coatTint, 0.0, 1.0);
-#endif
-#ifdef SURFACE_HAS_coatRoughness
-    coat.rough = s.coatRoughness;
-#endif
-#ifdef SURFACE_HAS_coatReflectance
-    coat.reflectance = clamp(s.coatReflectance, 0.0, 1.0);
-#endif
-    coat.rough = clamp(coat.rough, 0.0316227766, 1.0);
-    return coat;
-}
-
 void litCoat(Surface s, inout Lit m)
 {
     Coat coat = coatOf(s);
     m.coat = m.coatShine = clamp(s.coat, 0.0, 1.0);
     m.coatTint = coat.tint;
+    m.coatNormal = coatNormalOf(s, m.normal);
+    m.coatCosine = clamp(dot(m.coatNormal, m.toEye), 1e-3, 1.0);
     m.coatReflectance = coat.reflectance;
     m.coatFacets = glossOf(coat.rough);
     m.coatAlpha = m.coatFacets.alpha;
 #ifdef LIGHT_HAS_AREAS
-    m.coatInto = areaFacets(m.coatFacets.rough, m.normal, m.toEye);
+    m.coatInto = areaFacets(m.coatFacets.rough, m.coatNormal, m.toEye);
 #endif
-    m.coatOfEye = coatThrough(m, m.cosine);
+    m.coatOfEye = coatThrough(m, m.coatCosine);
     m.coatMean = 0.0;
     m.coatGloss = m.kept * (1.0 - m.coatOfEye);
     float smoother = 1.0 - m.coatFacets.rough * m.coatFacets.rough, smoother2 = smoother * smoother;
@@ -157,16 +120,6 @@ void litCoat(Surface s, inout Lit m)
 #endif
 
 #ifdef LIT_FUZZ
-// Narrower fibres of that lobe would send more than arrives.
-float fuzzRoughOf(Surface s)
-{
-#ifdef SURFACE_HAS_fuzzRoughness
-    return clamp(s.fuzzRoughness, 0.2, 1.0);
-#else
-    return 0.2;
-#endif
-}
-
 void litFuzz(Surface s, inout Lit m)
 {
     m.fuzz = clamp(s.fuzz, 0.0, 1.0);
@@ -182,15 +135,25 @@ void litFuzz(Surface s, inout Lit m)
 #endif
 
 #ifdef LIT_LAYERS
-// Layers from a direction: x, y what coat and fuzz let through; z both; w what a white rough mirror below lacks of that, since light comes to the eye
+// The cosine of a direction against the coat, of one that has that cosine against the base.
+float coatCosineOf(Lit m, vec3 v, float cosine)
+{
+#ifdef LIT_COAT_NORMAL
+    return clamp(dot(m.coatNormal, v), 1e-3, 1.0);
+#else
+    return cosine;
+#endif
+}
+
+// Layers from a direction, by its cosines against the base and the coat: x, y what coat and fuzz let through; z both; w what a white rough mirror below lacks of that, since light comes to the eye
 // by one way and goes by another, which the product of veil() cannot tell. It is spread as what facets reflect twice is. Of each layer it is a polynomial
 // in the base's roughness and the root of the cosine, fitted to integrals within 0.011 of all light; a small share more, `stray`, keeps it above 0.
-vec4 below(Lit m, float cosine, float loss)
+vec4 below(Lit m, float cosine, float ofCoat, float loss)
 {
     vec4 found = vec4(1.0, 1.0, 1.0, 0.0);
     float x = sqrt(cosine);
 #ifdef LIT_COAT
-    found.x = coatThrough(m, cosine);
+    found.x = coatThrough(m, ofCoat);
     found.w = rowAt(m.spread, x);
     found.w = (1.0 - m.stray) * found.w + m.stray * (1.0 - loss) * found.x;
 #endif
@@ -233,7 +196,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
         m.metalFilmMean += share * filmReflected(m.film, t * t, m.base);
 #endif
 #ifdef LIT_LAYERS
-        vec4 layers = below(m, t * t, own.y / share);
+        vec4 layers = below(m, t * t, t * t, own.y / share);
         m.meanStray += share * strayed(m, layers.w, own.yz / share);
 #ifdef LIT_COAT
         m.coatMean += share * layers.x;
@@ -255,6 +218,28 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
     m.meanStray = max(m.meanStray, vec2(1e-6));
 #endif
 }
+
+#ifdef LIT_GRAIN
+// Of light from directions with that cosine, what comes to the base.
+TONE comesToBase(Lit m, float cosine)
+{
+    vec2 own = baseAround(m, cosine);
+#ifdef LIT_LAYERS
+    return (1.0 - baseReflected(m, own)) * below(m, cosine, cosine, own.x).z;
+#else
+    return 1.0 - baseReflected(m, own);
+#endif
+}
+
+// What it sends of light from all around, of an even base's 1.
+vec3 litGrain(Surface s, inout Lit m)
+{
+    m.grain = grainOf(clamp(s.diffuseRoughness, 0.0, 1.0), comesToBase(m, 1.0), comesToBase(m, 0.25), m.meanBase);
+    TONE lost = grainLost(m.grain, m.cosine);
+    m.grainAgain = grainAgain(m.grain, m.base) * lost;
+    return m.base * (1.0 - lost) + m.grainAgain * (1.0 - m.grain.all);
+}
+#endif
 
 // The share of the surface that is not there. What is let through by a dielectric does not count.
 float holesOf(Surface s)
@@ -352,7 +337,12 @@ Lit surfaceLit(Surface s, vec3 toEye)
     if (m.film.weight > 0.0 && m.metal > 0.0)
         ofMetal = mix(ofMetal, (1.0 - eye.x) * filmAround(m.film, eye, m.alpha, m.base) + eye.x * m.metalAgain, m.film.weight);
 #endif
-    m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * m.base;
+#ifdef LIT_GRAIN
+    vec3 sent = litGrain(s, m);
+#else
+    vec3 sent = m.base;
+#endif
+    m.even = m.kept * (1.0 - m.metal) * m.baseOfEye * sent;
     m.gloss = m.kept * mix((1.0 - m.baseOfEye) * m.tint, max(ofMetal, 0.0), m.metal);
 #ifdef LIGHT_HAS_SKY
     m.glossAgain = m.kept * eye.x * mix(m.again * m.tint, m.metalAgain, m.metal);
@@ -362,7 +352,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.evenBehind = m.kept * m.baseOfEye * m.behind;
 #endif
 #ifdef LIT_LAYERS
-    vec4 layers = below(m, m.cosine, eye.x);
+    vec4 layers = below(m, m.cosine, coatCosineOf(m, toEye, m.cosine), eye.x);
     m.metalBounce = m.metal * max(metal, 0.0);
     m.dielectricBounce = (1.0 - m.metal) * m.tint;
     m.strayOfEye = strayed(m, layers.w, eye);

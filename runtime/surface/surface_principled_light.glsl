@@ -29,6 +29,9 @@ vec3 surfaceEven(Lit m) { return m.even; }
 Lit surfaceMatt(Lit m)
 {
     m.base *= 1.0 - m.metal;
+#ifdef LIT_GRAIN
+    m.grainAgain *= 1.0 - m.metal;
+#endif
     m.metal = 0.0;
     m.tint = m.gloss = vec3(0.0);
 #ifdef LIGHT_HAS_SKY
@@ -50,7 +53,7 @@ vec3 fromBehind(Lit m, vec3 l, float cosine)
     vec2 own = baseAlbedo(m, l, cosine);
     vec3 sum = m.kept * cosine * (1.0 - baseReflected(m, own)) * m.baseOfEye / m.meanBase * m.behind;
 #ifdef LIT_LAYERS
-    sum *= below(m, cosine, own.x).z;
+    sum *= below(m, cosine, coatCosineOf(m, -l, cosine), own.x).z;
 #endif
 #ifdef LIT_COAT
     sum *= m.coatTint;
@@ -78,7 +81,8 @@ vec3 surfaceLobe(Lit m, vec3 l)
     float again = cosine * own.x * m.lossOfEye / m.meanLoss;
     TONE matt = cosine * (1.0 - baseReflected(m, own)) * m.baseOfEye / m.meanBase;
 #ifdef LIT_LAYERS
-    vec4 layers = below(m, cosine, own.x);
+    float ofCoat = coatCosineOf(m, l, cosine);
+    vec4 layers = below(m, cosine, ofCoat, own.x);
     vec2 even = evenOf(m.facets.rough, vec2(cosine, m.cosine)), stray = cosine * strayed(m, layers.w, own) * m.strayOfEye / m.meanStray;
 #ifdef LIT_COAT
     once *= (1.0 - m.stray) * veil(layers.x, m.coatOfEye, m.coatMean, even);
@@ -97,15 +101,23 @@ vec3 surfaceLobe(Lit m, vec3 l)
         fresnel = mix(fresnel, filmReflected(m.film, facing, m.base), m.film.weight);
     }
 #endif
-    vec3 dielectric = matt * m.base + m.tint * (once * mirrored + again * m.again);
+#ifdef LIT_GRAIN
+    vec3 sent = grained(m.grain, m.base, m.grainAgain, dot(l, m.toEye), vec2(cosine, m.cosine), grainLost(m.grain, cosine));
+#else
+    vec3 sent = m.base;
+#endif
+    vec3 dielectric = matt * sent + m.tint * (once * mirrored + again * m.again);
     vec3 sum = mix(dielectric, once * fresnel + again * m.metalAgain, m.metal);
 #ifdef LIT_LAYERS
     sum += stray.x * m.metalBounce + stray.y * m.dielectricBounce;
 #endif
 #ifdef LIT_COAT
-    float shine = m.coatShine * facets(m.coatAlpha, m.normal, h, cosine, m.cosine) * mix(rest5, 1.0, m.coatReflectance);
+    float shine = m.coatShine * facets(m.coatAlpha, m.coatNormal, h, ofCoat, m.coatCosine) * mix(rest5, 1.0, m.coatReflectance);
+#ifdef LIT_COAT_NORMAL
+    shine = dot(m.coatNormal, l) > 0.0 ? shine : 0.0;
+#endif
 #ifdef LIT_FUZZ
-    shine *= veil(layers.y, m.fuzzOfEye, m.fuzzMean, evenOf(m.coatFacets.rough, vec2(cosine, m.cosine)));
+    shine *= veil(layers.y, m.fuzzOfEye, m.fuzzMean, evenOf(m.coatFacets.rough, vec2(ofCoat, m.coatCosine)));
 #endif
     sum = sum * m.coatTint + shine;
 #endif
@@ -174,7 +186,7 @@ vec3 surfaceSky(Lit m)
     if (any(greaterThan(m.evenBehind, vec3(0.0)))) sum += m.evenBehind * skyIrradiance(-m.normal);
 #endif
 #ifdef LIT_COAT
-    if (m.coatGloss > 0.0) sum += m.coatGloss * skySent(skyFacetsEven(m.normal, m.coatAlpha), m.toEye, vec3(m.coatReflectance), vec3(1.0));
+    if (m.coatGloss > 0.0) sum += m.coatGloss * skySent(skyFacetsEven(m.coatNormal, m.coatAlpha), m.toEye, vec3(m.coatReflectance), vec3(1.0));
 #endif
     return sum;
 }
@@ -183,7 +195,11 @@ vec3 surfaceSky(Lit m)
 #ifdef LIGHT_HAS_HEMISPHERE
 vec3 surfaceHemisphere(Lit m)
 {
-    return m.even * hemisphereMatt(m.normal) + evenFromBehind(m) * hemisphereMatt(-m.normal) + glossAround(m) * hemisphereMirrored(m.reflected);
+    vec3 sum = m.even * hemisphereMatt(m.normal) + evenFromBehind(m) * hemisphereMatt(-m.normal) + m.gloss * hemisphereMirrored(m.reflected);
+#ifdef LIT_COAT
+    sum += m.coatGloss * hemisphereMirrored(reflect(-m.toEye, m.coatNormal));
+#endif
+    return sum;
 }
 #endif
 
@@ -209,8 +225,10 @@ AreaSide surfaceAreaSide(Lit m, int i)
     AreaSide side = areaPowers(m.normal, i == 0 ? m.even : m.gloss, vec3(0.0), m.normal, m.normal, i == 0 ? 0.0 : -1.0);
     side.into = m.glossInto;
 #ifdef LIT_COAT
-    if (i == 2) side.even = vec3(m.coatGloss);
-    if (i == 2) side.into = m.coatInto;
+    if (i == 2) {
+        side = areaPowers(m.coatNormal, vec3(m.coatGloss), vec3(0.0), m.coatNormal, m.coatNormal, -1.0);
+        side.into = m.coatInto;
+    }
 #endif
     return side;
 }

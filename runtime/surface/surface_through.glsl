@@ -22,7 +22,8 @@ vec3 notReflected(Surface s, vec3 toEye)
 #ifdef LIT_COAT
     if (s.coat > 0.0) {
         Coat coat = coatOf(s);
-        left *= coat.tint * (1.0 - min(s.coat, 1.0) * coatAlbedo(albedo(cosine, glossOf(coat.rough)), coat.reflectance));
+        float ofCoat = clamp(abs(dot(coatNormalOf(s, s.normal), toEye)), 1e-3, 1.0);
+        left *= coat.tint * (1.0 - min(s.coat, 1.0) * coatAlbedo(albedo(ofCoat, glossOf(coat.rough)), coat.reflectance));
     }
 #endif
 #ifdef LIT_FUZZ

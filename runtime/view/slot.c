@@ -40,6 +40,8 @@ static const SlotLook looks[SLOT_LOOK_COUNT] = {
     {"film", NUMBER},
     {"filmPath", NUMBER},
     {"filmIor", RATIO},
+    {"diffuseRoughness", NUMBER},
+    {"coatNormal", NORMAL},
 };
 
 const char *slot_look_name(int i) { return looks[i].name; }

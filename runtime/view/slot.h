@@ -5,7 +5,7 @@
 
 typedef struct SlotLook SlotLook;
 
-enum { SLOT_LOOK_COUNT = 28 };
+enum { SLOT_LOOK_COUNT = 30 };
 const char *slot_look_name(int i);
 /* NULL if there is no such slot. */
 const SlotLook *slot_look_find(const char *name);
