@@ -146,6 +146,18 @@ static void cells_by(const Whole *w, double which, double *result)
 
 static void cells_at(const Whole *w, double *result) { cells_by(w, 0, result); }
 static void edge_at(const Whole *w, double *result) { cells_by(w, 2, result); }
+static void cell_noise_at(const Whole *w, double *result)
+{
+    const double args[] = {w->a[0], w->a[1], w->a[2], 3};
+    reference_of((Function)(FN_FIRST_MAP + KIND_CellNoise))(w->noise, args, result);
+}
+
+static void worley_at(const Whole *w, double *result)
+{
+    const double args[] = {w->a[0], w->a[1], w->a[2], 1, 0, 3};
+    reference_of((Function)(FN_FIRST_MAP + KIND_Worley))(w->noise, args, result);
+}
+
 static void random_at(const Whole *w, double *result) { reference_of(FN_cellRandom)(w->noise, w->a, result); }
 
 static bool whole_value(Term term, const Whole *w, double *result)

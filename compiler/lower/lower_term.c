@@ -253,6 +253,18 @@ Ref lower_whole_power(Lower *l, Ref a, int power)
     return power < 0 ? quotient(l, REFS(ir, build_float(ir, 1), product)) : product;
 }
 
+/* MaterialX's, of three dimensions. */
+static Ref cell_noise(Lower *l, Ref p) { return build_call(l->ir, FN_FIRST_MAP + KIND_CellNoise, p, build_int(l->ir, 3)); }
+
+static Ref worley(Lower *l, Ref p)
+{
+    Ir *ir = l->ir;
+    Ref jitter = build_float(ir, 1), style = build_int(ir, 0), dimensions = build_int(ir, 3);
+    return build_call(ir, FN_FIRST_MAP + KIND_Worley, p, jitter, style, dimensions);
+}
+
+#define CELL_NOISE(a)              cell_noise(l, three(l, a))
+#define WORLEY(a)                  worley(l, three(l, a))
 #define QUOTIENT(a, b)             quotient(l, REFS(ir, a, b))
 #define REMAINDER(a, b)            remainder_of(l, REFS(ir, a, b))
 #define ROOT(a)                    build_sqrt(ir, MAX(a, K(0)))
