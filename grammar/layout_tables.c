@@ -126,13 +126,13 @@ static const FieldRow field_table[] = {
 #undef LANE
 };
 
-/* Runs of fields, as those of parameters: LAYOUT begins its first case, CASE a further one. A row is told by its line. */
+/* Runs of fields, as those of parameters: LAYOUT begins its first case, CASE a further one. Rows are told apart by a number. */
 #define PASTE(a, b)  a##b
 #define UNIQUE(a, b) PASTE(a, b)
 enum {
 #define LAYOUT(name, doc, ...)  CASE(name, first, doc)
 #define CASE(layout, name, doc) FIELDS_##layout##_##name, FIELDS_BACK_##layout##_##name = FIELDS_##layout##_##name - 1,
-#define FIELD(...)              UNIQUE(FIELD_OF_LINE_, __LINE__),
+#define FIELD(...)              UNIQUE(FIELD_NUMBER_, __COUNTER__),
 #define PAIR(...)               FIELD()
 #include "layouts.def"
 };
@@ -153,7 +153,7 @@ static const FixedRow given_table[] = {
 enum {
 #define LAYOUT(name, doc, ...)  CASE(name, first, doc)
 #define CASE(layout, name, doc) GIVENS_##layout##_##name, GIVENS_BACK_##layout##_##name = GIVENS_##layout##_##name - 1,
-#define GIVEN(...)              UNIQUE(GIVEN_OF_LINE_, __LINE__),
+#define GIVEN(...)              UNIQUE(GIVEN_NUMBER_, __COUNTER__),
 #include "layouts.def"
 };
 enum {

@@ -128,12 +128,20 @@ static double all_arrives(const double *numbers, double cosine)
 
 static double less_that_grazes(const double *most, double cosine) { return 1 - *most * pow(1 - cosine, 5); }
 
+typedef struct {
+    double rough, cosines[2], turn;
+    Arrives *arrives;
+    const double *numbers;
+} Grained;
+
 /* With light that goes on within: of a colour, over what comes in and leaves. */
-static double lobe_of(double rough, double color, const double cosines[2], double turn, Arrives *arrives, const double *numbers)
+static double lobe_of(const Grained *of, double color)
 {
+    const double rough = of->rough, *cosines = of->cosines, *numbers = of->numbers;
+    Arrives *arrives = of->arrives;
     const double all = once_from_all(rough, arrives, numbers), again = color * color * all / (1 - color * (1 - all));
     const double lost = (1 - once_from(rough, cosines[0], arrives, numbers)) * (1 - once_from(rough, cosines[1], arrives, numbers));
-    return color * once_of(rough, cosines[0], cosines[1], turn) + again * lost / (1 - all);
+    return color * once_of(rough, cosines[0], cosines[1], of->turn) + again * lost / (1 - all);
 }
 
 static double light_cosine(int i) { return .05 + .95 * varied(i, .5701); }
@@ -147,7 +155,8 @@ static void base_is_its_definition(void **state)
     for (int i = 0; i < SIDE * SIDE; i += 7) {
         const double rough = varied(i, .382), cosines[2] = {light_cosine(i), cosine_of(i % SIDE)}, color[3] = {varied(i, .618), 1, varied(i, .733)}, most = varied(i, .29);
         for (int lane = 0; lane < 3; lane++) {
-            const double want = lobe_of(rough, color[lane], cosines, 2 * LOBE_PI * varied(i, .91), all_arrives, NULL);
+            const Grained of = {rough, {cosines[0], cosines[1]}, 2 * LOBE_PI * varied(i, .91), all_arrives, NULL};
+            const double want = lobe_of(&of, color[lane]);
             worst[0] = fmax(worst[0], fabs((double)said[i][lane] - want) / (.25 + want));
         }
         worst[1] = fmax(worst[1], fabs((double)said[i][3] - 1 + once_from(rough, cosines[1], less_that_grazes, &most)));
@@ -186,7 +195,8 @@ static void lobes_are_below_facets(void **state)
             mean += between_facets(numbers, sqrt((k + .5) / ANGLES)) / ANGLES;
         for (int lane = 0; lane < 3; lane++) {
             const double tone = base * (lane == 0 ? 1 : lane == 1 ? .5 : .9);
-            const double lobe = lobe_of(varied(i, .382), tone, cosines, 2 * LOBE_PI * varied(i, .91), between_facets, numbers);
+            const Grained of = {varied(i, .382), {cosines[0], cosines[1]}, 2 * LOBE_PI * varied(i, .91), between_facets, numbers};
+            const double lobe = lobe_of(&of, tone);
             const double want = cosines[0] * between_facets(numbers, cosines[0]) * between_facets(numbers, cosines[1]) / mean * lobe;
             worst = fmax(worst, fabs((double)said[i][lane] - want) / (.25 + want));
         }
