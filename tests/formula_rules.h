@@ -87,6 +87,7 @@ RULE_LANE(smooth, ramp(x[0], x[1], x[2]) * ramp(x[0], x[1], x[2]) * (3 - 2 * ram
 RULE_LANE(mapped, x[3] + (x[4] - x[3]) * over(x[0] - x[1], x[2] - x[1]))
 RULE_LANE(contrasted, (x[0] - x[2]) * x[1] + x[2])
 RULE_LANE(biased, over(x[0], (over(1, x[1]) - 2) * (1 - x[0]) + 1))
+RULE_LANE(gained, x[0] < .5 ? over(x[0], (over(1, x[1]) - 2) * (1 - 2 * x[0]) + 1) : 1 - over(1 - x[0], (over(1, x[1]) - 2) * (2 * x[0] - 1) + 1))
 
 static Number dotted(const Number *a, const Number *b, int lanes)
 {
@@ -236,6 +237,7 @@ static const Rule rules[] = {
     {"remap", 0, "ggggg", -1, mapped, 0},
     {"contrast", 0, "ggg", -1, contrasted, 0},
     {"bias", 0, "gg", -1, biased, 0},
+    {"gain", 0, "gg", -1, gained, 0},
     {"average", 0, "n", 1, 0, mean},
     {"maxcomponent", 0, "n", 1, 0, most},
     {"mincomponent", 0, "n", 1, 0, least},
