@@ -162,6 +162,11 @@ static void every_operation_stands_within_every_other(void **state)
             snprintf(inner, sizeof inner, numbers[k], "y", "z");
             check_within(*state, numbers[i], inner, "x");
         }
+    enum { FINITE = 4 };                  /* the first of them, by 0, too */
+    for (size_t i = 0; i < FINITE; i++) { /* numbers that begin with a minus */
+        check_within(*state, numbers[i], "-2", "x");
+        check_within(*state, numbers[i], "-0", "x");
+    }
 }
 
 static void comparisons_and_logic_stand_within_each_other(void **state)

@@ -5,6 +5,7 @@
  *     sub(sub(a, b), c)    a - b - c */
 #include "compiler/emit/emit_scope.h"
 #include "compiler/emit/attribute.h"
+#include <math.h>
 #include <string.h>
 
 bool emit_is_leaf(const Ir *ir, Ref ref)
@@ -257,9 +258,10 @@ static void put_infix(Scope *e, Text *out, Ref ref, int own)
     emit_expression(e, out, ir_arg(e->ir, ref, 1), mixed ? PRECEDENCE_add : own + 1);
 }
 
+/* It is written with a minus, -0.0 too. */
 static bool is_negative(const Ir *ir, Ref ref)
 {
-    return ir_is(ir, ref, OP_const) && ir_lanes(ir, ref) == 1 && ir_numbers(ir, ref)[0] < 0;
+    return ir_is(ir, ref, OP_const) && ir_lanes(ir, ref) == 1 && signbit(ir_numbers(ir, ref)[0]);
 }
 
 static void put_operation(Scope *e, Text *out, Ref ref, int own)
