@@ -94,7 +94,8 @@ Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env 
     Ref own = red(l, coat->of, coat->roughness, env);
     if (ir_is_number(ir, by, 0) || ir_is_number(ir, own, 0))
         return roughness;
-    Ref below = build_square(ir, build_square(ir, roughness)), above = build_square(ir, build_square(ir, own));
+    Ref rough = build_max(ir, roughness, build_float(ir, 0));
+    Ref below = build_square(ir, build_square(ir, rough)), above = build_square(ir, build_square(ir, own));
     Ref sum = build_min(ir, build_add(ir, below, build_scale(ir, above, 2)), build_float(ir, 1));
     return build_mix(ir, roughness, build_sqrt(ir, build_sqrt(ir, sum)), by);
 }

@@ -42,7 +42,7 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
     const double own = reflectance_of(coat->ior);
     const double back = unit(1 - (1 - own) / fmax(coat->ior * coat->ior, LEAST));
     double *rough = result->lane[SLOT_roughness];
-    const double rougher = pow(fmin(pow(rough[0], 4) + 2 * pow(coat->roughness, 4), 1), .25);
+    const double rougher = pow(fmin(pow(fmax(rough[0], 0), 4) + 2 * pow(coat->roughness, 4), 1), .25);
     rough[0] += unit(w * coat->roughening) * (rougher - rough[0]);
     result->lane[SLOT_reflectance][0] = specular * reflectance_of((1 - w) * ior + w * high / low);
     for (int i = 0; i < 3; i++) {
