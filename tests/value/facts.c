@@ -52,7 +52,7 @@ static void take_uniform(Facts *facts, const cJSON *row, const char *block)
     bool member = cJSON_HasObjectItem(row, "offset");
     Fact *fact = take(facts, member ? FACT_member : FACT_uniform, row, "offset");
     if (member)
-        snprintf(fact->name, sizeof fact->name, "%.30s.%.40s", block, text_of(row, "name"));
+        snprintf(fact->name, sizeof fact->name, "%.40s.%.80s", block, text_of(row, "name"));
 }
 
 static void take_block(Facts *facts, const cJSON *block, const char *name)

@@ -18,7 +18,7 @@ typedef enum {
 } FactKind;
 extern const char *const fact_kinds[FACT_KINDS];
 
-enum { FACT_TEXT = 80, FACT_ROOM = 512, NO_PLACE = -1 };
+enum { FACT_TEXT = 128, FACT_ROOM = 512, NO_PLACE = -1 };
 
 typedef struct {
     FactKind kind;

@@ -94,7 +94,7 @@ static void add_uniform(GlContext *gl, const Asking *a, GLuint program, GLuint i
     if (owner >= 0) {
         a->block_name(program, (GLuint)owner, sizeof block, NULL, block);
         a->uniform_values(program, 1, &index, GL_UNIFORM_OFFSET, &place);
-        snprintf(whole, sizeof whole, "%.30s.%.40s", block, name);
+        snprintf(whole, sizeof whole, "%.40s.%.80s", block, name);
         spell(type, add(facts, FACT_member, whole, place)->type);
         return;
     }

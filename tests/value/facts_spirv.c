@@ -128,7 +128,7 @@ static void add_block(Module *m, const Id *variable, uint32_t type)
     for (int i = 0; i < count; i++) {
         char name[FACT_TEXT];
         uint32_t member = block->definition[2 + i];
-        snprintf(name, sizeof name, "%.30s.%.40s", block->name, block->members[i]);
+        snprintf(name, sizeof name, "%.40s.%.80s", block->name, block->members[i]);
         spell(m, member, add(m, FACT_member, name, block->offsets[i])->type);
         int end = end_of(m, member, block->offsets[i]);
         size = end > size ? end : size;
