@@ -16,7 +16,7 @@ vec3 bisectWeights(ivec3 weights)
 // Of a triangle's points, the four that are asked how far they are from its plane: the middles of its grandchildren.
 const vec3 bisect_asked[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0, vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
 
-// How much deeper than the triangle its parts are, of which the worst counts; 0 where it is bisected whatever it is.
+// How much deeper than the triangle its parts are: the worst of them counts; 0 where it is bisected whatever it is.
 int bisectDeeper(uint number)
 {
     int depth = findMSB(number);

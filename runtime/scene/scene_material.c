@@ -15,7 +15,7 @@ static int fail(SceneReader *r)
     return -1;
 }
 
-/* The place of a material among those in use; aside, among those of what is aside, of which the first is none. */
+/* The place of a material: among those in use, or, aside, among those that are aside, whose first is none. */
 static int use(SceneReader *r, MatcDocument *document, int index)
 {
     Scene *scene = r->scene;
