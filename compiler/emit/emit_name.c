@@ -15,7 +15,8 @@ static bool is_taken(const Scope *e, const char *name)
 {
     if (names_find(&e->ir->graph->uniform_names, name) >= 0 || names_find(&e->constants, name) >= 0)
         return true;
-    for (int i = 0; i < FUNCTION_COUNT && !strchr(name, '_'); i++) { /* no function's name has one: test_tables */
+    const int functions = strchr(name, '_') ? 0 : FUNCTION_COUNT; /* no function's name has one: test_tables */
+    for (int i = 0; i < functions; i++) {
         const char *other = function_row(i)->name;
         if (other && *other == *name && !strcmp(other, name)) /* most differ in the first letter */
             return true;
@@ -47,7 +48,8 @@ const char *emit_new_name(Scope *e, const IrNode *node)
     Naming *naming = naming_of(e, node->origin);
     Text step = text_new(e->scratch);
     if (node->type == TYPE_uint || node->type == TYPE_uvec4) {
-        text_format(&step, "%s_bits", naming->name);
+        text_put(&step, naming->name);
+        text_put(&step, "_bits");
         return free_name(e, step.at);
     }
     const bool plain = !naming->given && (node->head || naming->valued != e->number);
@@ -55,7 +57,9 @@ const char *emit_new_name(Scope *e, const IrNode *node)
     naming->steps += !node->head || !plain;
     if (plain)
         return naming->name;
-    text_format(&step, "%s_%d", naming->name, naming->steps);
+    text_put(&step, naming->name);
+    text_char(&step, '_');
+    text_int(&step, naming->steps);
     return free_name(e, step.at);
 }
 

@@ -96,7 +96,8 @@ static IrReach needed_by(const Ir *ir, const Ref *roots, int count, bool *run, A
 static bool *functions_of(const Ir *ir, const Ref *roots, int count, Arena *scratch)
 {
     bool *run = ARENA_ARRAY(scratch, bool, ir->function_count + 1);
-    needed_by(ir, roots, count, run, scratch);
+    if (ir->function_count)
+        needed_by(ir, roots, count, run, scratch);
     return run;
 }
 

@@ -120,11 +120,17 @@ Schedule schedule_new(const Ir *ir, Arena *arena)
                       .branch = ARENA_ARRAY(arena, uint8_t, ir->count)};
 }
 
+/* It may be a branch: there is something to skip in an arm. */
+static bool has_arms(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_select) && (ir_at(ir, ir_arg(ir, ref, 1))->count || ir_at(ir, ir_arg(ir, ref, 2))->count);
+}
+
 void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branches)
 {
     ir_reach(ir, roots, count, &s->nodes);
     for (size_t i = 0; i < s->nodes.count; i++)
-        s->branch[s->nodes.at[i]] = branches && ir_is(ir, s->nodes.at[i], OP_select);
+        s->branch[s->nodes.at[i]] = branches && has_arms(ir, s->nodes.at[i]);
     assign_blocks(ir, s, roots, count);
     if (demote(s))
         assign_blocks(ir, s, roots, count);

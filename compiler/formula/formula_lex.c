@@ -56,17 +56,26 @@ static void read_color(const FormulaSource *s, Token *token)
     }
 }
 
+/* No operator begins with it. */
+static bool is_structure(char c)
+{
+    return c == '(' || c == ')' || c == ',' || c == '[' || c == ']' || c == ';' || c == '.' || c == '?' || c == ':';
+}
+
 /* "**", which other languages have for "^", is one, so that it is told as one. */
 static uint32_t symbol_end(const FormulaSource *s, uint32_t at, int *symbol)
 {
+    const char c = s->text[at];
+    if (is_structure(c))
+        return at + 1;
     if (formula_begins(s, at, "**"))
         return at + 2;
     for (int i = 0; i < symbol_count; i++)
-        if (symbol_table[i].text[0] == s->text[at] && formula_begins(s, at, symbol_table[i].text)) {
+        if (symbol_table[i].text[0] == c && formula_begins(s, at, symbol_table[i].text)) {
             *symbol = i;
             return at + (uint32_t)strlen(symbol_table[i].text);
         }
-    return s->text[at] && strchr("()[],;=?:.", s->text[at]) ? at + 1 : at;
+    return c == '=' ? at + 1 : at;
 }
 
 /* Behind the quote that ends the text; `at`: nothing ends it. */

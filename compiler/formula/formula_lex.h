@@ -36,8 +36,9 @@ static inline bool formula_begins(const FormulaSource *source, uint32_t at, cons
 /* Whether the token is this symbol. */
 static inline bool formula_token_is(const FormulaSource *source, const Token *token, const char *symbol)
 {
-    return token->kind == TOKEN_symbol && source->text[token->start] == symbol[0] &&
-           formula_token_size(*token) == strlen(symbol) && formula_begins(source, token->start, symbol);
+    const size_t size = strlen(symbol);
+    return token->kind == TOKEN_symbol && formula_token_size(*token) == size &&
+           !memcmp(source->text + token->start, symbol, size);
 }
 /* For messages: 'sin', or the end of the formula. */
 const char *formula_token_text(const FormulaSource *source, Token token);
