@@ -74,6 +74,9 @@ static void the_way_does_not_matter(void **state)
             merges += cost.merges;
             fewer += cost.pixels > b.displaced.patches->pixels;
             assert_int_equal(cost.leaves, counts[i]);
+            assert_true(b.mesh.index_count / 3 <= counts[i] + counts[i] / 32); /* few places are free */
+            if (3 * counts[i] >= b.displaced.patches->triangles)
+                assert_true(cost.kept <= 8 * (size_t)counts[i]);
             assert_whole(leaves[i], counts[i], b.displaced.patches->count);
             assert_true(counts[i] <= b.displaced.patches->triangles);
         }

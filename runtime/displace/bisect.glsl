@@ -9,7 +9,7 @@
 // Which leaf is beyond an edge is what such a walk ends at, from a point beyond it: an edge that is a triangle's edge from a to b at some depth is that of the one beyond as well,
 // or one of the other two of that one's parent.
 //
-// A leaf is 8 bytes: 40 bits of its number and base, 12 of its own deviation, and 12 of the deviation of the triangle behind it, in order: the nearest of those it is in whose child 0 has it,
+// A leaf is 7 bytes: 40 bits of its number and base, 8 of its own deviation, and 8 of the deviation of the triangle behind it, in order: the nearest of those it is in whose child 0 has it,
 // as its last leaf. There are as many as leaves, but one. So each triangle that was bisected has its deviation in the last leaf of its child 0, and nobody else's in the same place:
 //
 //     1 is bisected, then 2: leaves 4, 5, 3 keep their own and 2's, 1's, none's. If 4 and 5 become 2, that has 2's, as its own, from 4, and keeps 1's, from 5
@@ -20,8 +20,9 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer BisectBases {
     uint bisect_bases[];
 };
-layout(std430, binding = 1) buffer BisectLeaves {
-    uvec2 bisect_leaves[];
+// Of four leaves seven words: the low 32 bits of each one's number and base, the high 8 of all four, and their deviations.
+layout(std430, binding = 1) coherent buffer BisectLeaves {
+    uint bisect_leaves[];
 };
 // Places of leaves by a hash of their numbers, plus 1, below the stamp of the look that they are of: others are empty. An entry whose leaf has another number by now counts as one that is taken.
 layout(std430, binding = 2) coherent buffer BisectTable {
@@ -39,6 +40,7 @@ uniform int bisect_room;        // for leaves
 uniform int bisect_baseBits;    // that a number of a base has
 uniform int bisect_tableBits;   // it has 2 to the power of that entries
 uniform int bisect_stamp;       // 1 to 255
+uniform float bisect_worst;     // no triangle deviates by more
 uniform int bisect_coarse;      // triangles of less depth are bisected, whatever they deviate
 
 const uint BISECT_BASE = 22u, BISECT_ROW = 17u, BISECT_HEAD = 98u, BISECT_NONE = 0xFFFFFFFFu;
@@ -83,26 +85,58 @@ uvec2 bisectId(uint base, uint number)
     return uvec2(number << bisect_baseBits | base, number >> (32 - bisect_baseBits) & 255u);
 }
 
-uvec2 bisectPack(Leaf l)
+uint bisectBlock(uint slot)
 {
-    return bisectId(l.base, l.number) | uvec2(0u, l.own << 8 | l.behind << 20);
+    return 7u * (slot >> 2);
 }
 
-Leaf bisectLeaf(uvec2 bits)
+uvec2 bisectIdAt(uint slot)
 {
-    return Leaf(bits.x & (1u << bisect_baseBits) - 1u, bits.x >> bisect_baseBits | (bits.y & 255u) << (32 - bisect_baseBits),
-                bits.y >> 8 & 4095u, bits.y >> 20);
+    uint block = bisectBlock(slot);
+    return uvec2(bisect_leaves[block + (slot & 3u)], bisect_leaves[block + 4u] >> 8u * (slot & 3u) & 255u);
 }
 
-// 32 codes an octave; 0 is 0, 2048 is 1.
+Leaf bisectLeaf(uint slot)
+{
+    uvec2 id = bisectIdAt(slot);
+    uint deviations = bisect_leaves[bisectBlock(slot) + 5u + (slot >> 1 & 1u)] >> 16u * (slot & 1u);
+    return Leaf(id.x & (1u << bisect_baseBits) - 1u, id.x >> bisect_baseBits | id.y << (32 - bisect_baseBits), deviations & 255u,
+                deviations >> 8 & 255u);
+}
+
+// Bits of a word that nobody else writes.
+void bisectPutBits(uint word, uint shift, uint mask, uint value)
+{
+    uint had = bisect_leaves[word] >> shift & mask;
+    if (had != value)
+        atomicXor(bisect_leaves[word], (had ^ value) << shift);
+}
+
+// Whoever reads it meanwhile finds the leaf as it was, or as it is, or one of a base that there is not.
+void bisectPut(uint slot, Leaf l)
+{
+    uvec2 id = bisectId(l.base, l.number), had = bisectIdAt(slot);
+    uint block = bisectBlock(slot), low = block + (slot & 3u);
+    if (had.y != id.y) {
+        bisect_leaves[low] = BISECT_NONE;
+        memoryBarrierBuffer();
+        bisectPutBits(block + 4u, 8u * (slot & 3u), 255u, id.y);
+        memoryBarrierBuffer();
+    }
+    bisectPutBits(block + 5u + (slot >> 1 & 1u), 16u * (slot & 1u), 65535u, l.own | l.behind << 8);
+    bisect_leaves[low] = id.x;
+}
+
+// 8 codes an octave below the worst that there may be; 0 is 0, 255 is more than any.
+const uint BISECT_ALWAYS = 255u;
 uint bisectCode(float deviation)
 {
-    return deviation > 0.0 ? uint(clamp(round(32.0 * log2(deviation)) + 2048.0, 1.0, 4094.0)) : 0u;
+    return deviation > 0.0 ? uint(clamp(round(8.0 * log2(deviation / bisect_worst)) + 254.0, 1.0, 254.0)) : 0u;
 }
 
 float bisectDeviation(uint code)
 {
-    return code == 0u ? 0.0 : exp2((float(code) - 2048.0) / 32.0);
+    return code == 0u ? 0.0 : code == BISECT_ALWAYS ? 1e30 : bisect_worst * exp2((float(code) - 254.0) / 8.0);
 }
 
 uint bisectHash(uvec2 id)
@@ -130,8 +164,7 @@ uint bisectFind(uint base, uint number)
         uint entry = bisect_table[at & ((1u << bisect_tableBits) - 1u)], slot = (entry & 0xFFFFFFu) - 1u;
         if (entry >> 24 != uint(bisect_stamp))
             return BISECT_NONE;
-        uvec2 bits = bisect_leaves[slot];
-        if (bits.x == id.x && (bits.y & 255u) == id.y)
+        if (bisectIdAt(slot) == id)
             return slot;
     }
 }

@@ -5,7 +5,7 @@ void bisectStage(uint group)
     if (i >= bisect_work[WANTED] || bisect_work[MERGED_ALL] == 0u)
         return;
     uint slot = bisect_work[bisectWord(LIST_WANTED + swapped, i)], at = slot;
-    Leaf leaf = bisectLeaf(bisect_leaves[slot]);
+    Leaf leaf = bisectLeaf(slot);
     if (leaf.number == 0u || (bisect_work[bisectWord(LIST_FLAGS, slot)] & FLAG_WANTED) == 0u)
         return;
     for (;;) {
@@ -39,7 +39,7 @@ void bisectStage(uint group)
             break;
         }
         at = before;
-        leaf = bisectLeaf(bisect_leaves[at]);
+        leaf = bisectLeaf(at);
     }
     if (at != slot)
         bisect_work[bisectWord(LIST_WANTED + 1u - swapped, atomicAdd(bisect_work[WANTED_NEXT], 1u))] = slot;

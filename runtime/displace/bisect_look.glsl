@@ -9,8 +9,7 @@ void bisectStage(uint group)
     uint slot = BISECT_TILE * bisect_work[bisectWord(LIST_CHOSEN, i / BISECT_TILE)] + i % BISECT_TILE;
     if (slot >= bisect_work[HIGH])
         return;
-    uvec2 bits = bisect_leaves[slot];
-    Leaf leaf = bisectLeaf(bits);
+    Leaf leaf = bisectLeaf(slot);
     uint at = bisectWord(LIST_FLAGS, slot), had = bisect_fresh != 0 ? 0u : bisect_work[at] & FLAG_LESS, flags = 0u;
     if (leaf.number == 0u) {
         if (bisect_fresh != 0)
@@ -19,7 +18,7 @@ void bisectStage(uint group)
         BisectBase base = bisectBase(leaf.base);
         Corners t = bisectCorners(leaf.base, leaf.number);
         if (bisect_fresh != 0)
-            bisectInsert(uvec2(bits.x, bits.y & 255u), slot);
+            bisectInsert(bisectId(leaf.base, leaf.number), slot);
         float own = bisectWants(base, leaf.base, leaf.number, t, leaf.own), parent = BISECT_SURE;
         if ((leaf.number & 1u) == 0u)
             parent = bisectWants(base, leaf.base, leaf.number >> 1, bisectParent(leaf.number, t), leaf.behind);

@@ -22,7 +22,7 @@ void bisectStage(uint group)
     if (i >= bisect_work[MERGING])
         return;
     uint slot = bisect_work[bisectWord(LIST_MERGING + swapped, i)];
-    Leaf leaf = bisectLeaf(bisect_leaves[slot]);
+    Leaf leaf = bisectLeaf(slot);
     uint number = leaf.number >> 1;
     Ring ring = bisectRing(leaf.base, number, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
     bool may = bisectMay(leaf.base, number);
@@ -64,9 +64,9 @@ void bisectStage(uint group)
     if (i >= bisect_work[CHOSEN])
         return;
     uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)];
-    Leaf leaf = bisectLeaf(bisect_leaves[slot]);
+    Leaf leaf = bisectLeaf(slot);
     uint other = bisectFind(leaf.base, leaf.number + 1u);
-    leaf = Leaf(leaf.base, leaf.number >> 1, leaf.behind, bisectLeaf(bisect_leaves[other]).behind);
+    leaf = Leaf(leaf.base, leaf.number >> 1, leaf.behind, bisectLeaf(other).behind);
     for (uint k = 0u; k < BISECT_ROW; k++) { // (c, a, m) and (b, c, m) to (a, b, c)
         uint at = 3u * BISECT_ROW * slot + k, from = 3u * BISECT_ROW * other + k;
         float c = bisect_rows[at];
@@ -81,8 +81,8 @@ void bisectStage(uint group)
     float wants = even ? bisectWants(at, leaf.base, leaf.number >> 1, parent, leaf.behind) : BISECT_SURE;
     bool less = wants <= 0.0;
     bisectDue(slot, min(abs(bisectWants(at, leaf.base, leaf.number, t, leaf.own)), abs(wants)));
-    bisect_leaves[slot] = bisectPack(leaf);
-    bisect_leaves[other] = uvec2(0u);
+    bisectPut(slot, leaf);
+    bisectPut(other, Leaf(0u, 0u, 0u, 0u));
     bisect_work[bisectWord(LIST_FLAGS, slot)] = less ? FLAG_LESS | FLAG_ASKED : 0u;
     bisect_work[bisectWord(LIST_FLAGS, other)] = 0u;
     bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_work[FREE], 1u))] = other;

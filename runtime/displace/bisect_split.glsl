@@ -53,7 +53,7 @@ float bisectSquare(vec3 moved, vec3 at, mat3 p)
 // A triangle's error, from the mean square of its worst part. Where the surface jumps, a plane that is as steep as the jump is near it: a triangle is off by no more than it is wide.
 uint bisectError(uint number, float square)
 {
-    return bisectCode(findMSB(number) < bisect_coarse ? 1e30 : sqrt(square)); // it is bisected whatever it is
+    return findMSB(number) < bisect_coarse ? BISECT_ALWAYS : bisectCode(sqrt(square));
 }
 
 uint bisectRow(uint slot, uint corner)
@@ -61,7 +61,7 @@ uint bisectRow(uint slot, uint corner)
     return BISECT_ROW * (3u * slot + corner);
 }
 
-void bisectPut(uint at, vec3 three)
+void bisectPutThree(uint at, vec3 three)
 {
     bisect_rows[at] = three.x;
     bisect_rows[at + 1u] = three.y;
@@ -71,13 +71,13 @@ void bisectPut(uint at, vec3 three)
 // A row of MeshCaptured: the point that was displaced last.
 void bisectPutDisplaced(uint at)
 {
-    bisectPut(at, displaced_position);
-    bisectPut(at + 3u, displaced_normal);
+    bisectPutThree(at, displaced_position);
+    bisectPutThree(at + 3u, displaced_normal);
     bisect_rows[at + 6u] = displaced_texcoord.x;
     bisect_rows[at + 7u] = displaced_texcoord.y;
-    bisectPut(at + 8u, displaced_tangentU);
-    bisectPut(at + 11u, displaced_tangentV);
-    bisectPut(at + 14u, displaced_base);
+    bisectPutThree(at + 8u, displaced_tangentU);
+    bisectPutThree(at + 11u, displaced_tangentV);
+    bisectPutThree(at + 14u, displaced_base);
 }
 
 vec3 bisectWorld(uint at)
@@ -149,14 +149,14 @@ void main()
         }
         most = max(most, sum / 4.0);
     }
-    bisect_leaves[base] = bisectPack(Leaf(base, 1u, bisectError(1u, most), 0u));
+    bisectPut(base, Leaf(base, 1u, bisectError(1u, most), 0u));
 }
 #else
 // A leaf is there: it comes into the table, and is asked.
 void bisectMade(BisectBase base, uint slot, Leaf leaf, Corners t, float parent)
 {
     float own = bisectWants(base, leaf.base, leaf.number, t, leaf.own);
-    bisect_leaves[slot] = bisectPack(leaf);
+    bisectPut(slot, leaf);
     bisect_work[bisectWord(LIST_FLAGS, slot)] = own > 0.0 ? FLAG_WANTED : parent <= 0.0 ? FLAG_LESS : 0u;
     bisectInsert(bisectId(leaf.base, leaf.number), slot);
     bisectDue(slot, min(abs(own), abs(parent)));
@@ -247,7 +247,7 @@ void bisectStage(uint group)
     Corners t;
     if (there) {
         slot = bisect_work[bisectWord(LIST_CHOSEN, i)];
-        leaf = bisectLeaf(bisect_leaves[slot]);
+        leaf = bisectLeaf(slot);
         t = bisectCorners(leaf.base, leaf.number);
         if (lane == 0u) {
             uint free = atomicAdd(bisect_work[FREE], 0xFFFFFFFFu);

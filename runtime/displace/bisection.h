@@ -41,6 +41,8 @@ typedef enum {
     BISECTION_MERGE_CHOOSE,
     BISECTION_MERGE,
     BISECTION_CHOOSE,
+    BISECTION_PACK_CHOOSE,
+    BISECTION_PACK,
     BISECTION_BEGIN,
     BISECTION_STAGES
 } BisectionStage;
@@ -77,6 +79,8 @@ void bisection_forget(Displaced *displaced);
 bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
 /* Of the buffer of lists, for so many leaves. */
 size_t bisection_work_bytes(size_t places);
+/* And of that of leaves. */
+size_t bisection_leaf_bytes(size_t places);
 /* Its shadows count. */
 bool bisection_casts(const SceneLight *light);
 /* A uniform of all stages. */

@@ -5,7 +5,7 @@
 
 extern const char render_text_displace_point[], render_text_bisect[], render_text_bisect_see[],
     render_text_bisect_scan[], render_text_bisect_look[], render_text_bisect_merge[], render_text_bisect_choose[],
-    render_text_bisect_split[], render_text_bisect_next[];
+    render_text_bisect_split[], render_text_bisect_next[], render_text_bisect_pack[];
 
 enum {
     CORNER_BYTES = 3 * sizeof(MeshCaptured),
@@ -15,7 +15,7 @@ enum {
         8,           /* deviations are those of parts of which one has as many triangles as so many have in the end, */
     PARTS_MOST = 6,  /* but at most 64 of a triangle: what is coarser is bisected */
     PLACE_BITS = 24, /* of a leaf, in the table */
-    RANGE_PARTS = 3  /* ranges are kept of triangles that have 8 of these parts */
+    RANGE_PARTS = 4  /* ranges are kept of triangles that have 16 of these parts */
 };
 
 bool bisection_there(const GlContext *gl)
@@ -50,12 +50,15 @@ static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisectio
     static const char point[] = "#define DISPLACE_POINT\n#define DISPLACE_OUT\n";
     static const struct {
         const char *define, *text;
+        bool alone; /* nothing follows it */
     } stages[] = {
-        [BISECTION_SCAN] = {"#define BISECT_STEP 5\n", render_text_bisect_scan},
-        [BISECTION_LOOK] = {"#define BISECT_STEP 0\n", render_text_bisect_look},
-        [BISECTION_MERGE_CHOOSE] = {"#define BISECT_CHOOSE\n#define BISECT_STEP 1\n", render_text_bisect_merge},
-        [BISECTION_MERGE] = {"#define BISECT_STEP 2\n", render_text_bisect_merge},
-        [BISECTION_CHOOSE] = {"#define BISECT_STEP 3\n", render_text_bisect_choose},
+        [BISECTION_SCAN] = {"#define BISECT_STEP 5\n", render_text_bisect_scan, false},
+        [BISECTION_LOOK] = {"#define BISECT_STEP 0\n", render_text_bisect_look, false},
+        [BISECTION_MERGE_CHOOSE] = {"#define BISECT_CHOOSE\n#define BISECT_STEP 1\n", render_text_bisect_merge, false},
+        [BISECTION_MERGE] = {"#define BISECT_STEP 2\n", render_text_bisect_merge, false},
+        [BISECTION_CHOOSE] = {"#define BISECT_STEP 3\n", render_text_bisect_choose, false},
+        [BISECTION_PACK_CHOOSE] = {"#define BISECT_CHOOSE\n", render_text_bisect_pack, true},
+        [BISECTION_PACK] = {"\n", render_text_bisect_pack, true},
     };
     const char *lights = lights_of(making->scene),
                *wide = store_context(making->store)->hardware ? "#define BISECT_WIDE\n" : "\n";
@@ -69,7 +72,8 @@ static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisectio
                 displaced_program(making, &begin, &b->stages[BISECTION_BEGIN]);
     for (int i = 0; fine && i < BISECTION_BEGIN; i++) {
         const ProgramText text = {.compute = {displaced_version, lights, wide, stages[i].define, render_text_bisect,
-                                              render_text_bisect_see, stages[i].text, render_text_bisect_next}};
+                                              render_text_bisect_see, stages[i].text,
+                                              stages[i].alone ? NULL : render_text_bisect_next}};
         fine = material_make(making->store, NULL, &text, &b->stages[i]);
     }
     return fine;
@@ -130,6 +134,12 @@ size_t bisection_work_bytes(size_t places)
     return sizeof(GLuint) * (BISECTION_HEAD + BISECTION_LISTS * places + places / BISECTION_TILE + 1);
 }
 
+size_t bisection_leaf_bytes(size_t places)
+{
+    enum { BLOCK = 4, BLOCK_WORDS = 7 };
+    return sizeof(GLuint) * BLOCK_WORDS * ((places + BLOCK - 1) / BLOCK);
+}
+
 /* A fresh look puts one entry for each place into the table, and rounds of a view one of who merges and two of who is bisected: its views end where no more than these are free. */
 bool bisection_room(Displaced *d, Mesh *mesh, int room)
 {
@@ -140,7 +150,7 @@ bool bisection_room(Displaced *d, Mesh *mesh, int room)
     b->table_bits = bits_of(5 * places);
     b->stamp = 0;
     b->pixels = 0;
-    grow_buffer(gl, b->buffers[BISECTION_LEAVES], 2 * had * sizeof(GLuint), 2 * places * sizeof(GLuint));
+    grow_buffer(gl, b->buffers[BISECTION_LEAVES], bisection_leaf_bytes(had), bisection_leaf_bytes(places));
     grow_buffer(gl, mesh->buffers[0], had * CORNER_BYTES, places * CORNER_BYTES);
     new_buffer(gl, b->buffers[BISECTION_TABLE], ((size_t)1 << b->table_bits) * sizeof(GLuint), NULL);
     new_buffer(gl, b->buffers[BISECTION_WORK], bisection_work_bytes(places), NULL);
@@ -162,7 +172,7 @@ static int most_of(const GlContext *gl, const ScenePatches *patches)
 int bisection_base_bits(const ScenePatches *patches)
 {
     enum { LEAST = 8 }; /* so that 32 bits hold a number of a bisector */
-    const int bits = bits_of((size_t)patches->count);
+    const int bits = bits_of((size_t)patches->count + 1); /* the last one is of no base */
     return bits > LEAST ? bits : LEAST;
 }
 
@@ -193,6 +203,8 @@ static void set_constants(Displaced *d)
         reach[i % 3] += (float)(fabs(patches->world_from_local.m[4 * (i / 3) + i % 3]) * patches->reach[i / 3]);
     bisection_set_number(d, "bisect_baseBits", base_bits);
     bisection_set_number(d, "bisect_deepest", deepest);
+    const double reached = sqrt((double)(reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]));
+    bisection_set_number(d, "bisect_worst", reached > 0 ? exp2(ceil(log2(2 * reached))) : 1);
     bisection_set_number(d, "bisect_even", even);
     bisection_set_number(d, "bisect_coarse", even > PARTS_MOST ? even - PARTS_MOST : 0);
     bisection_set(d, "bisect_reach", 3, reach);

@@ -1,4 +1,4 @@
-/* Bisection by compute stages, in place: from frame to frame 8 bytes are kept of each triangle, its number and two deviations (bisect.glsl), and its corners as they are drawn. A view looks at
+/* Bisection by compute stages, in place: from frame to frame 7 bytes are kept of each triangle, its number and two deviations (bisect.glsl), and its corners as they are drawn. A view looks at
  * all of them once. Those that are finer than they need be merge with their siblings, until none can; then others are bisected, until none has to. What there is at the end goes by the view
  * alone, and not by those before: whoever is to be bisected has parents that are (bisectWants), and all else there is only so that the mesh conforms.
  *
@@ -125,6 +125,21 @@ static void begin_anew(Displaced *d, double pixels)
     b->gone = b->entries = 0;
 }
 
+/* Where merging has left many places free, leaves behind all others come into these. */
+static void pack(Displaced *d)
+{
+    enum { SHARE = 32 }; /* one in so many may be free */
+    Bisection *b = d->own;
+    const GLuint free = b->head[BISECTION_FREE], live = b->head[BISECTION_HIGH] - free;
+    if (free <= live / SHARE)
+        return;
+    dispatch(d, &b->stages[BISECTION_PACK_CHOOSE], free);
+    dispatch(d, &b->stages[BISECTION_PACK], free);
+    b->entries += free;
+    b->head[BISECTION_HIGH] = live;
+    b->head[BISECTION_FREE] = 0;
+}
+
 /* Leaves are looked at; who can merges, who has to is bisected. False: there is no room for all. */
 static bool update(Displaced *d)
 {
@@ -178,6 +193,7 @@ static bool settle(Displaced *d, Mesh *mesh)
         } else if (b->coarser > enough) {
             b->coarser--;
         } else {
+            pack(d);
             return true;
         }
     }
@@ -350,7 +366,8 @@ DisplacedBisectionCost displaced_bisection_cost(const Displaced *d)
         .leaves = (int)(b->head[BISECTION_HIGH] - b->head[BISECTION_FREE]),
         .splits = b->splits,
         .merges = b->merges,
-        .kept = 2 * sizeof(GLuint) * (b->head[BISECTION_HIGH] + ((size_t)d->patches->count << (b->ranged + 1))),
+        .kept = bisection_leaf_bytes(b->head[BISECTION_HIGH]) +
+                2 * sizeof(GLuint) * ((size_t)d->patches->count << (b->ranged + 1)),
         .scratch = (sizeof(GLuint) << b->table_bits) + bisection_work_bytes((size_t)b->room),
         .looks = b->looks,
         .looked = b->looked,
@@ -363,15 +380,17 @@ uint64_t *displaced_bisection_leaves(const Displaced *d, int *count)
     const GlContext *gl = displaced_context(d);
     const size_t places = b->head[BISECTION_HIGH];
     const int base_bits = bisection_base_bits(d->patches);
-    uint32_t(*words)[2] = malloc((places + 1) * sizeof *words);
+    const size_t bytes = bisection_leaf_bytes(places);
+    uint32_t *words = malloc(bytes + sizeof *words);
     uint64_t *leaves = malloc((places + 1) * sizeof *leaves);
     *count = 0;
     if (words && leaves) {
         gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, b->buffers[BISECTION_LEAVES]);
-        gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)(places * sizeof *words), words);
+        gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)bytes, words);
         gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
         for (size_t i = 0; i < places; i++) {
-            const uint64_t id = words[i][0] | (uint64_t)(words[i][1] & 255) << 32;
+            const uint32_t *block = words + i / 4 * 7;
+            const uint64_t id = block[i % 4] | (uint64_t)(block[4] >> 8 * (i % 4) & 255) << 32;
             if (id)
                 leaves[(*count)++] = (id & (((uint64_t)1 << base_bits) - 1)) << 32 | id >> base_bits;
         }

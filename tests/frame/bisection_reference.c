@@ -124,7 +124,7 @@ static double deviation(const Reference *r, uint32_t triangle)
         of.w[i / 3][i % 3] = (double)t->weights[i / 3][i % 3] / SCENE_BISECTION_PARTS;
     move(r, of.base, 3, of.w, of.p);
     const double square = worst_part(r, &of, inside, t->depth < r->even ? r->even - t->depth : 0);
-    return square > 0 ? exp2(rint(32 * log2(sqrt(square))) / 32) : 0;
+    return square > 0 ? exp2(rint(8 * log2(sqrt(square))) / 8) : 0;
 }
 
 static void divided(void *user, uint32_t triangle, uint32_t made)
@@ -286,7 +286,7 @@ uint64_t *bisection_reference(const BisectionReference *of, int *count)
     r.b.divided = divided;
     r.b.user = &r;
     int *first = r.first = malloc((size_t)bases * sizeof *first);
-    r.ranged = r.even > 3 ? r.even - 3 : 0;
+    r.ranged = r.even > 4 ? r.even - 4 : 0;
     r.ranges = malloc(((size_t)bases << (r.ranged + 1)) * sizeof *r.ranges);
     for (int i = 0; i < bases; i++) {
         double w[3][3];
