@@ -1,4 +1,4 @@
-/* What bisection by the driver keeps of a mesh, and what its two files share. */
+/* What bisection by the driver keeps of a mesh, and what its files share. */
 #ifndef MATC_DISPLACE_BISECTION_H
 #define MATC_DISPLACE_BISECTION_H
 #include "runtime/displace/displaced_bisection.h"
@@ -86,6 +86,12 @@ bool bisection_casts(const SceneLight *light);
 /* A uniform of all stages. */
 void bisection_set(Displaced *displaced, const char *name, int lanes, const float *values);
 void bisection_set_number(Displaced *displaced, const char *name, double number);
+/* Uniforms of the view. */
+void bisection_view_set(Displaced *displaced, const DisplacedView *view, const Mesh *mesh);
+/* The first of those that cast shadows, as many as there is room for. */
+BisectionLights bisection_view_lights(const DisplacedView *view);
+/* How far the camera has moved from its last view, as bisect_see.glsl counts it; and what rounding may hide of that. What else has changed makes all anew. */
+void bisection_view_move(Displaced *displaced, const DisplacedView *view, const BisectionLights *lights);
 /* That a base's number has. */
 int bisection_base_bits(const ScenePatches *patches);
 #endif

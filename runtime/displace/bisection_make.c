@@ -171,7 +171,7 @@ static int most_of(const GlContext *gl, const ScenePatches *patches)
 
 int bisection_base_bits(const ScenePatches *patches)
 {
-    enum { LEAST = 8 }; /* so that 32 bits hold a number of a bisector */
+    enum { LEAST = 8 };                                   /* so that 32 bits hold a number of a bisector */
     const int bits = bits_of((size_t)patches->count + 1); /* the last one is of no base */
     return bits > LEAST ? bits : LEAST;
 }
