@@ -56,6 +56,7 @@ static inline double fraction(double v) { return v - floor(v); }
  * document has. */
 #define WAVE_EXP_LIMIT    88.0
 #define WAVE_EXP2_LIMIT   127.0
+#define TAN_LIMIT         1e18 /* no float has such a tangent; a cosine that a GPU makes of one may be 0, though */
 #define WAVE_LEAST        1.17549435e-38
 #define REFERENCE_BITS    16 /* of one code, at most */
 #define REFERENCE_OCTAVES 64

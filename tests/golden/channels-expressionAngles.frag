@@ -82,7 +82,7 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // expressionAngles.yaml:3 Expression
     vec3 diffuse_expression_1 = vec3(asin(clamp(uv.x, -1.0, 1.0)), acos(clamp(uv.y, -1.0, 1.0)), atan(localPosition.z) * 500.0);
-    vec3 diffuse_expression = diffuse_expression_1 * 0.0002 + vec3(sin(localPosition.x), cos(localPosition.y), tan(uv.x) * 0.1);
+    vec3 diffuse_expression = diffuse_expression_1 * 0.0002 + vec3(sin(localPosition.x), cos(localPosition.y), clamp(tan(uv.x), -1e+18, 1e+18) * 0.1);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // expressionAngles.yaml:5 Expression
     float ambient_expression = uv.x + 1.0;
