@@ -18,9 +18,16 @@ static void triangles_are_those_of_the_processor(void **state)
     static const struct {
         int body, triangles;
         double distance, pixels;
-        double lamp[3]; /* a point; of no length: far away */
-    } rows[] = {{0, 9000, 3, 1.5, {0}}, {0, 9000, 2.2, 2, {0}},         {1, 9000, 1.5, .6, {0}},
-                {1, 4000, 6, .2, {0}}, {0, 9000, 3, 2, {2.5, 2, 1.7}}, {1, 9000, 1.5, .8, {-1, 1.5, 1}}};
+        double lamp[3];     /* a point; of no length: far away */
+        double edges[2][3]; /* of an Area whose corner that is */
+    } rows[] = {{0, 9000, 3, 1.5, {0}, {{0}}},
+                {0, 9000, 2.2, 2, {0}, {{0}}},
+                {1, 9000, 1.5, .6, {0}, {{0}}},
+                {1, 4000, 6, .2, {0}, {{0}}},
+                {0, 9000, 3, 2, {2.5, 2, 1.7}, {{0}}},
+                {1, 9000, 1.5, .8, {-1, 1.5, 1}, {{0}}},
+                {0, 9000, 3, 2, {2.5, 2, 1.7}, {{-1, .3, 0}, {.2, .7, .5}}},
+                {1, 9000, 1.5, .8, {-2.2, 1.5, 1}, {{0, -2, .5}, {.3, 0, -1}}}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char how[80];
         int counts[2];
@@ -28,8 +35,10 @@ static void triangles_are_those_of_the_processor(void **state)
         BisectionBody b = bisection_body_begin(*state, how, bisection_bodies[rows[i].body]);
         bisection_body_look(&b.scene->camera, 1, 8, rows[i].distance);
         if (scene_vector_dot(rows[i].lamp, rows[i].lamp) > 0) {
-            b.scene->lights[0].kind = SCENE_Point;
-            memcpy(b.scene->lights[0].position, rows[i].lamp, sizeof rows[i].lamp);
+            SceneLight *lamp = &b.scene->lights[0];
+            lamp->kind = scene_vector_dot(rows[i].edges[0], rows[i].edges[0]) > 0 ? SCENE_Area : SCENE_Point;
+            memcpy(lamp->position, rows[i].lamp, sizeof rows[i].lamp);
+            memcpy(lamp->edges, rows[i].edges, sizeof rows[i].edges);
         }
         uint64_t *found = bisection_body_leaves(&b, &counts[0]),
                  *wanted = bisection_reference(

@@ -43,12 +43,12 @@ uniform int bisect_stamp;       // 1 to 255
 uniform float bisect_worst;     // no triangle deviates by more
 uniform int bisect_coarse;      // triangles of less depth are bisected, whatever they deviate
 
-const uint BISECT_BASE = 22u, BISECT_ROW = 17u, BISECT_HEAD = 98u, BISECT_NONE = 0xFFFFFFFFu;
+const uint BISECT_BASE = 22u, BISECT_ROW = 17u, BISECT_HEAD = 146u, BISECT_NONE = 0xFFFFFFFFu;
 const int BISECT_WHOLE = 65536; // weights of a corner sum up to so many
 // Words of the head.
 const uint HIGH = 0u, FREE = 1u, WANTED = 2u, WANTED_NEXT = 3u, MERGING = 4u, MERGING_NEXT = 5u, CHOSEN = 6u, FULL = 7u, SPLITS = 8u, MERGES = 9u,
            SWAPPED = 10u, MERGED_ALL = 11u, LOST = 12u, MERGE_ROUNDS = 13u, SPLIT_ROUNDS = 14u, DONE = 15u, GROUPS = 16u, GROUPS_CHOSEN = 20u, LIGHTS = 24u,
-           LOOKED = 25u, LIGHT = 28u, BOX = 92u;
+           LOOKED = 25u, LIGHT = 28u, BOX = 92u, EXTENT = 98u;
 // Lists; the last but of one word for each BISECT_TILE places: how far the camera will have gone when these have to be looked at, as a float, which is not negative.
 const uint LIST_FREE = 0u, LIST_FLAGS = 1u, LIST_CHOSEN = 2u, LIST_WANTED = 3u, LIST_MERGING = 5u, LIST_DUE = 7u;
 const uint BISECT_TILE = 16u;

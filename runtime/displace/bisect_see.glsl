@@ -91,56 +91,79 @@ vec4 bisectHeadFloats(uint at)
     return uintBitsToFloat(uvec4(bisect_work[at], bisect_work[at + 1u], bisect_work[at + 2u], bisect_work[at + 3u]));
 }
 
-// How far rays by the box go on until no point of them is where shadows may fall: as a length, or as times what they have gone. A light is a point and 1, or where its rays come from, and 0.
-float bisectLightReach(vec4 light, vec3 middle, vec3 extent)
+// A point and 1, or where its rays come from, and 0; what shines is in a box around the point.
+struct BisectLight {
+    vec4 at;
+    vec3 extent;
+};
+
+BisectLight bisectLight(uint i)
 {
+    uint words = EXTENT + 3u * i;
+    return BisectLight(bisectHeadFloats(LIGHT + 4u * i), uintBitsToFloat(uvec3(bisect_work[words], bisect_work[words + 1u], bisect_work[words + 2u])));
+}
+
+// How far rays by the box go on until no point of them is where shadows may fall: as a length, or as times what they have gone. It is farthest from the light's near side.
+float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
+{
+    vec4 light = from.at;
     vec3 low = bisectHeadFloats(BOX).xyz, high = bisectHeadFloats(BOX + 3u).xyz;
     float reach = 1e30;
     for (int k = 0; k < 3; k++) {
-        float from = light.w != 0.0 ? light[k] : 0.0, least = middle[k] - extent[k] - from, most = middle[k] + extent[k] - from;
+        float below = light[k] * light.w + from.extent[k], above = light[k] * light.w - from.extent[k];
+        float least = middle[k] - extent[k] - below, most = middle[k] + extent[k] - above;
         if (light.w == 0.0 ? light[k] < 0.0 : least > 0.0)
-            reach = min(reach, light.w == 0.0 ? (least - high[k]) / light[k] : (high[k] - from) / least);
+            reach = min(reach, light.w == 0.0 ? (least - high[k]) / light[k] : (high[k] - below) / least);
         if (light.w == 0.0 ? light[k] > 0.0 : most < 0.0)
-            reach = min(reach, light.w == 0.0 ? (most - low[k]) / light[k] : (low[k] - from) / most);
+            reach = min(reach, light.w == 0.0 ? (most - low[k]) / light[k] : (low[k] - above) / most);
     }
     return max(reach, light.w);
 }
 
-// The box, and all that its shadow may fall on, are beyond the side.
-float bisectCastsBeyond(vec4 side, vec4 light, float reach, vec3 middle, vec3 extent)
+// The box, and all that its shadow may fall on, are beyond the side: from where the light is the farthest beyond it, a shadow comes the farthest in.
+float bisectCastsBeyond(vec4 side, BisectLight light, float reach, vec3 middle, vec3 extent)
 {
-    float most = dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent), from = dot(side, light);
-    return min(-most, -(light.w != 0.0 ? from + reach * (most - from) : most - reach * from) / (2.0 * reach + 1.0));
+    float most = dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent), from = dot(side, light.at) - dot(abs(side.xyz), light.extent);
+    return min(-most, -(light.at.w != 0.0 ? from + reach * (most - from) : most - reach * from) / (2.0 * reach + 1.0));
 }
 
-// From a point, to the nearest of the box around 0.
+// A light as a point of the line to it: at the eye it is the eye, from there it grows as what shines is seen. From it, to the nearest of the box around 0.
 vec3 bisectGap(vec3 at, vec3 extent)
 {
     return at - clamp(at, -extent, extent);
 }
 
-// How far the box is from the line from the eye towards the light, as long as `last` says: the square grows along that line as a parabola between places where it passes a side of the box, so that its
-// slope is a line there.
-float bisectLightFar(vec4 light, float last, vec3 middle, vec3 extent)
+// Half of how its square changes along the line.
+float bisectGapSlope(vec3 from, vec3 way, vec3 extent, vec3 grows, float at)
 {
-    vec3 from = bisect_eye.xyz - middle, way = light.xyz - bisect_eye.xyz * light.w;
-    float low = 0.0, high = last, low_slope = dot(bisectGap(from, extent), way), high_slope = dot(bisectGap(from + last * way, extent), way);
+    vec3 gap = bisectGap(from + at * way, extent + at * grows);
+    return dot(gap, way) - dot(abs(gap), grows);
+}
+
+// How far the box is from what lies between the eye and the light, as long as `last` says: the square grows along that line as a parabola between places where it passes a side of the box, so that its
+// slope is a line there. As the light has an extent, the sides move.
+float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
+{
+    vec3 from = bisect_eye.xyz - middle, way = light.at.xyz - bisect_eye.xyz * light.at.w, grows = light.extent;
+    float low = 0.0, high = last, low_slope = bisectGapSlope(from, way, extent, grows, 0.0), high_slope = bisectGapSlope(from, way, extent, grows, last);
     if (low_slope >= 0.0)
         return length(bisectGap(from, extent));
     if (high_slope <= 0.0)
-        return length(bisectGap(from + last * way, extent));
+        return length(bisectGap(from + last * way, extent + last * grows));
     for (int i = 0; i < 6; i++) {
         int lane = i >> 1;
-        float at = ((i & 1) != 0 ? -extent[lane] - from[lane] : extent[lane] - from[lane]) / way[lane];
-        if (way[lane] == 0.0 || at <= low || at >= high)
+        float side = (i & 1) != 0 ? -1.0 : 1.0, passes = way[lane] - side * grows[lane];
+        float at = (side * extent[lane] - from[lane]) / passes;
+        if (passes == 0.0 || at <= low || at >= high)
             continue;
-        float slope = dot(bisectGap(from + at * way, extent), way);
+        float slope = bisectGapSlope(from, way, extent, grows, at);
         low_slope = slope < 0.0 ? slope : low_slope;
         high_slope = slope < 0.0 ? high_slope : slope;
         low = slope < 0.0 ? at : low;
         high = slope < 0.0 ? high : at;
     }
-    return length(bisectGap(from + (low + (high - low) * low_slope / (low_slope - high_slope)) * way, extent));
+    float nearest = low + (high - low) * low_slope / (low_slope - high_slope);
+    return length(bisectGap(from + nearest * way, extent + nearest * grows));
 }
 
 // It is too coarse for its shadow by one of the lights, as it would be up to `far`. A deviation e of p, at right angles to the light's ray, is t e in the shadow, where the ray has gone from l to l + t (p - l), and is seen
@@ -149,13 +172,13 @@ float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 e
 {
     float wants = -BISECT_SURE;
     for (uint i = 0u; i < bisect_work[LIGHTS]; i++) {
-        vec4 light = bisectHeadFloats(LIGHT + 4u * i);
+        BisectLight light = bisectLight(i);
         float reach = bisectLightReach(light, middle, extent);
         float hidden = bisectCastsBeyond(bisect_front, light, reach, middle, extent);
         for (int side = 0; side < 4; side++)
             hidden = max(hidden, bisectCastsBeyond(bisect_sides[side], light, reach, middle, extent));
-        hidden = max(hidden, bisectAway(at, t, light, middle, extent) > 0.0 ? BISECT_SURE : -BISECT_SURE); // wherever the camera is
-        float last = light.w != 0.0 ? 1.0 - 1.0 / reach : reach;
+        hidden = max(hidden, bisectAway(at, t, light.at, middle, extent + light.extent) > 0.0 ? BISECT_SURE : -BISECT_SURE); // wherever the camera is
+        float last = light.at.w != 0.0 ? 1.0 - 1.0 / reach : reach;
         float coarse = bisect_eye.w == 0.0 ? (far > 1.0 ? BISECT_SURE : -BISECT_SURE) : far - max(bisectLightFar(light, last, middle, extent), bisect_near);
         wants = max(wants, min(-hidden, coarse));
     }

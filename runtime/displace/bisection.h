@@ -21,7 +21,8 @@ enum {
     BISECTION_LIGHT = 28,  /* four words of each */
     BISECTION_LIGHTS_MOST = 16,
     BISECTION_BOX = BISECTION_LIGHT + 4 * BISECTION_LIGHTS_MOST,
-    BISECTION_HEAD = BISECTION_BOX + 6,
+    BISECTION_EXTENT = BISECTION_BOX + 6, /* three words of each light */
+    BISECTION_HEAD = BISECTION_EXTENT + 3 * BISECTION_LIGHTS_MOST,
     BISECTION_LISTS = 7,
     BISECTION_TILE = 16 /* places that are looked at together: one word for these, behind the lists */
 };
@@ -47,10 +48,10 @@ typedef enum {
     BISECTION_STAGES
 } BisectionStage;
 
-/* Lights that cast shadows, and the box on what: as words of the head. */
+/* Lights that cast shadows, the box on what, and how far what shines is from each light's middle, along the axes: as words of the head. */
 typedef struct {
     int count;
-    float each[BISECTION_LIGHTS_MOST][4], box[2][3];
+    float each[BISECTION_LIGHTS_MOST][4], box[2][3], extent[BISECTION_LIGHTS_MOST][3];
 } BisectionLights;
 
 typedef struct {

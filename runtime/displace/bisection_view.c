@@ -1,5 +1,6 @@
 /* What a view is to bisection: sides and places as uniforms, lights, and how far the camera has moved. */
 #include "runtime/displace/bisection.h"
+#include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
 
@@ -50,6 +51,20 @@ void bisection_view_set(Displaced *d, const DisplacedView *view, const Mesh *mes
     bisection_set_number(d, "bisect_closed", mesh->body != SHAPE_BODY_none ? 3 : 0);
 }
 
+/* An Area is a box around its parallelogram. */
+static void set_light(const SceneLight *light, float at[4], float extent[3])
+{
+    const bool far = light->kind == SCENE_Directional;
+    for (int k = 0; k < 3; k++) {
+        at[k] = (float)(far ? -light->direction[k] : light->position[k]);
+        for (int i = 0; i < 2 && light->kind == SCENE_Area; i++) {
+            at[k] += (float)(light->edges[i][k] / 2);
+            extent[k] += (float)(fabs(light->edges[i][k]) / 2);
+        }
+    }
+    at[3] = !far;
+}
+
 BisectionLights bisection_view_lights(const DisplacedView *view)
 {
     const float anywhere = 1e30f;
@@ -57,12 +72,10 @@ BisectionLights bisection_view_lights(const DisplacedView *view)
     BisectionLights found = {0};
     for (int i = 0; i < scene->light_count && found.count < BISECTION_LIGHTS_MOST; i++) {
         const SceneLight *light = &scene->lights[i];
-        const bool far = light->kind == SCENE_Directional;
         if (!bisection_casts(light))
             continue;
-        for (int k = 0; k < 3; k++)
-            found.each[found.count][k] = (float)(far ? -light->direction[k] : light->position[k]);
-        found.each[found.count++][3] = !far;
+        set_light(light, found.each[found.count], found.extent[found.count]);
+        found.count++;
     }
     for (int k = 0; k < 3; k++) {
         const bool ends = view->low[k] < view->high[k];
@@ -90,7 +103,10 @@ static double farthest(const Bisection *b, const double eye[3])
     for (int i = 0; i < b->lights.count; i++) {
         const double light[3] = {(double)b->lights.each[i][0], (double)b->lights.each[i][1],
                                  (double)b->lights.each[i][2]};
-        far = b->lights.each[i][3] != 0 ? fmax(far, distance(eye, light)) : far;
+        const double extent[3] = {(double)b->lights.extent[i][0], (double)b->lights.extent[i][1],
+                                  (double)b->lights.extent[i][2]};
+        far =
+            b->lights.each[i][3] != 0 ? fmax(far, distance(eye, light) + sqrt(scene_vector_dot(extent, extent))) : far;
     }
     return far;
 }

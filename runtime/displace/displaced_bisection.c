@@ -80,6 +80,7 @@ static void write_head(const Displaced *d, GLuint high, GLuint free)
     b->head[BISECTION_LIGHTS] = (GLuint)b->lights.count;
     memcpy(&b->head[BISECTION_LIGHT], b->lights.each, sizeof b->lights.each);
     memcpy(&b->head[BISECTION_BOX], b->lights.box, sizeof b->lights.box);
+    memcpy(&b->head[BISECTION_EXTENT], b->lights.extent, sizeof b->lights.extent);
     gl->BindBuffer(GL_COPY_READ_BUFFER, b->head_copy);
     gl->BufferData(GL_COPY_READ_BUFFER, sizeof b->head, b->head, GL_STREAM_READ);
     copy_head(d, b->head_copy, b->buffers[BISECTION_WORK]);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { EDGE = BISECTION_BODY_EDGE };
 
@@ -101,14 +102,13 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-void bisection_body_sort(uint64_t *leaves, int count)
-{
-    qsort(leaves, (size_t)count, sizeof *leaves, by_value);
-}
+void bisection_body_sort(uint64_t *leaves, int count) { qsort(leaves, (size_t)count, sizeof *leaves, by_value); }
 
 uint64_t *bisection_body_leaves(BisectionBody *b, int *count)
 {
-    const DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}, {0}};
+    DisplacedView view = {b->scene, {EDGE, EDGE}, {0}, {0}, {0}};
+    memcpy(view.low, b->low, sizeof b->low);
+    memcpy(view.high, b->high, sizeof b->high);
     if (!displaced_write(&b->displaced, &view, &b->mesh))
         fail_msg("%s", b->gl->error);
     uint64_t *leaves = displaced_bisection_leaves(&b->displaced, count);

@@ -17,6 +17,7 @@ typedef struct {
     Store *store;
     Mesh mesh;
     Displaced displaced;
+    double low[3], high[3]; /* around all that shadows may fall on; none: they fall anywhere */
 } BisectionBody;
 
 /* One context for all: its programs take longer to compile than all else. */

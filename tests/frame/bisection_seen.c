@@ -14,17 +14,24 @@ static double box_far(const double at[3], const double low[3], const double high
     return sqrt(square);
 }
 
-/* The same from a line, by thirds, which leave out the worse: the distance has one minimum there. */
-static double line_far(const double from[3], const double way[3], double last, const double low[3],
-                       const double high[3])
+/* A line from the eye to the middle of what shines, which is in a box so large, either way. */
+typedef struct {
+    double from[3], way[3], last, grows[3];
+} Line;
+
+/* The same from what is between the eye and a light, by thirds, which leave out the worse: the distance has one minimum there. */
+static double line_far(const Line *line, const BisectionBox *box)
 {
-    double begin = 0, far[2] = {0};
+    double begin = 0, last = line->last, far[2] = {0};
     for (int step = 0; step < 80; step++) {
-        double at[3];
+        double at[3], low[3], high[3];
         for (int k = 0; k < 2; k++) {
             const double s = begin + (last - begin) * (k + 1) / 3;
-            for (int i = 0; i < 3; i++)
-                at[i] = from[i] + s * way[i];
+            for (int i = 0; i < 3; i++) {
+                at[i] = line->from[i] + s * line->way[i];
+                low[i] = box->low[i] - s * line->grows[i];
+                high[i] = box->high[i] + s * line->grows[i];
+            }
             far[k] = box_far(at, low, high);
         }
         if (far[0] < far[1])
@@ -44,47 +51,67 @@ static double room_at(const SceneCamera *c, int side, const double way[3])
 }
 
 /* Three normals look away from all of the box, which is seen by these ways, by more than 37 degrees. */
-static bool looks_away(const BisectionBox *box, double (*ways)[3])
+static bool looks_away(const BisectionBox *box, double (*ways)[3], int count)
 {
     double far = 0, least = INFINITY;
-    for (int i = 0; i < 8; i++)
+    for (int i = 0; i < count; i++) {
         far = fmax(far, scene_vector_dot(ways[i], ways[i]));
-    for (int i = 0; i < 24; i++)
-        least = fmin(least, scene_vector_dot(box->normal[i % 3], ways[i / 3]));
+        for (int k = 0; k < 3; k++)
+            least = fmin(least, scene_vector_dot(box->normal[k], ways[i]));
+    }
     return box->closed && least > .6 * sqrt(far) * box->longest;
 }
 
-/* No point of the box throws a shadow into view: each of its corners', near and as far as can be told, is beyond one side; or all of it is turned away from the light. */
+/* Around all that shines of a light. */
+static void light_box(const SceneLight *light, double low[3], double high[3])
+{
+    for (int k = 0; k < 3; k++) {
+        low[k] = high[k] = light->position[k];
+        for (int i = 0; i < 2 && light->kind == SCENE_Area; i++) {
+            low[k] += fmin(light->edges[i][k], 0);
+            high[k] += fmax(light->edges[i][k], 0);
+        }
+    }
+}
+
+/* No point of the box throws a shadow into view: from each corner of what shines, each of its corners', near and as far as can be told, is beyond one side; or all of it is turned away from the light. */
 static bool casts_nothing(const SceneCamera *c, const SceneLight *light, const BisectionBox *box)
 {
     int beyond[5] = {0};
-    double rays[8][3];
-    for (int i = 0; i < 8; i++) {
-        double at[3], *ray = rays[i], to[2][3];
+    double rays[64][3], shines[2][3];
+    light_box(light, shines[0], shines[1]);
+    for (int i = 0; i < 64; i++) {
+        double *ray = rays[i], to[2][3];
         for (int k = 0; k < 3; k++) {
-            at[k] = i >> k & 1 ? box->high[k] : box->low[k];
-            ray[k] = light->kind == SCENE_Directional ? light->direction[k] : at[k] - light->position[k];
-            to[0][k] = at[k] - c->position[k];
+            const double at = i >> k & 1 ? box->high[k] : box->low[k];
+            ray[k] = light->kind == SCENE_Directional ? light->direction[k] : at - shines[i >> (k + 3) & 1][k];
+            to[0][k] = at - c->position[k];
             to[1][k] = to[0][k] + 1e6 * ray[k];
         }
         for (int side = 0; side < 5; side++)
             beyond[side] += room_at(c, side, to[0]) < 0 && room_at(c, side, to[1]) < 0;
     }
-    bool hidden = looks_away(box, rays);
+    bool hidden = looks_away(box, rays, 64);
     for (int i = 0; i < 5; i++)
-        hidden |= beyond[i] == 8;
+        hidden |= beyond[i] == 64;
     return hidden;
 }
 
 static double shadow_far(const Scene *scene, const SceneLight *light, const BisectionBox *box)
 {
     const SceneCamera *c = &scene->camera;
-    double way[3];
+    const bool far = light->kind == SCENE_Directional;
+    double shines[2][3];
+    Line line = {.last = far ? 1e4 : 1};
     if (!scene_light_casts(light) || casts_nothing(c, light, box))
         return INFINITY;
-    for (int i = 0; i < 3; i++)
-        way[i] = light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - c->position[i];
-    return fmax(line_far(c->position, way, light->kind == SCENE_Directional ? 1e4 : 1, box->low, box->high), c->near);
+    light_box(light, shines[0], shines[1]);
+    for (int i = 0; i < 3; i++) {
+        line.from[i] = c->position[i];
+        line.way[i] = far ? -light->direction[i] : (shines[0][i] + shines[1][i]) / 2 - c->position[i];
+        line.grows[i] = far ? 0 : (shines[1][i] - shines[0][i]) / 2;
+    }
+    return fmax(line_far(&line, box), c->near);
 }
 
 double bisection_seen_far(const Scene *scene, const BisectionBox *box)
@@ -100,7 +127,7 @@ double bisection_seen_far(const Scene *scene, const BisectionBox *box)
         for (int side = 0; side < 5; side++)
             beyond[side] += room_at(c, side, way) < 0;
     }
-    bool hidden = looks_away(box, ways);
+    bool hidden = looks_away(box, ways, 8);
     for (int i = 0; i < 5; i++)
         hidden |= beyond[i] == 8;
     double far = fmax(box_far(c->position, box->low, box->high), c->near) * (hidden ? 8 : 1);
