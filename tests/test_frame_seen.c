@@ -184,6 +184,47 @@ static void meshes_have_attributes(void **state)
     gl_close(gl);
     assert_int_equal(unlink(path), 0);
 }
+
+/* A glTF's own attributes: red is u, as a float, green v, as a byte, blue the default of a name that it lacks. */
+static void gltf_has_attributes_of_its_own(void **state)
+{
+    (void)state;
+    static const char seen[] =
+        "diffuse: 0, emissive: '= [attribute(\"wetness\", float), attribute(\"Worn_2\", vec2).y, "
+        "attribute(\"lacking\", float, .25)]'";
+    static const struct {
+        float position[4][3], wetness[4];
+        unsigned char worn[4][4];
+    } rows = {{{-3, 0, 3}, {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}}, {0, 1, 1, 0}, {{9, 0}, {9, 0}, {9, 255}, {9, 255}}};
+    char text[1024], folder[] = "/tmp/matc_ownXXXXXX", path[64], beside[64];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/own.gltf", folder);
+    snprintf(beside, sizeof beside, "%s/own.bin", folder);
+    snprintf(
+        text, sizeof text,
+        "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"
+        "\"primitives\":[{\"mode\":6,\"attributes\":{\"POSITION\":0,\"_WETNESS\":1,\"_WORN_2\":2}}]}],\"buffers\":[{"
+        "\"uri\":\"own.bin\",\"byteLength\":%zu}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,"
+        "\"byteOffset\":48,\"byteLength\":16},{\"buffer\":0,\"byteOffset\":64,\"byteLength\":16,\"byteStride\":4}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"min\":[-3,0,-3],"
+        "\"max\":[3,0,3]},{\"bufferView\":1,\"componentType\":5126,\"count\":4,\"type\":\"SCALAR\"},{\"bufferView\":2,"
+        "\"componentType\":5121,\"normalized\":true,\"count\":4,\"type\":\"VEC2\"}]}",
+        sizeof rows);
+    FILE *files[] = {fopen(path, "wb"), fopen(beside, "wb")};
+    assert_true(files[0] && files[1] && fputs(text, files[0]) >= 0 && fwrite(&rows, sizeof rows, 1, files[1]) == 1);
+    assert_true(!fclose(files[0]) && !fclose(files[1]));
+    GlContext *gl = frame_context();
+    float *rgba = draw_mesh(gl, path, seen, "emissive");
+    for (int i = 0; i < EDGE * EDGE; i++) {
+        const double want[3] = {(i % EDGE + .5) / EDGE, (i / EDGE + .5) / EDGE, .25};
+        for (int lane = 0; lane < 3; lane++)
+            if (!(fabs(rgba[4 * i + lane] - want[lane]) <= 1e-5))
+                fail_msg("pixel %d, lane %d: %g, not %g", i, lane, (double)rgba[4 * i + lane], want[lane]);
+    }
+    free(rgba);
+    gl_close(gl);
+    assert_true(!unlink(path) && !unlink(beside) && !rmdir(folder));
+}
 #endif
 
 int main(void)
@@ -193,6 +234,7 @@ int main(void)
         cmocka_unit_test(objects_have_numbers),
 #ifdef MATC_ASSIMP
         cmocka_unit_test(meshes_have_attributes),
+        cmocka_unit_test(gltf_has_attributes_of_its_own),
 #endif
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

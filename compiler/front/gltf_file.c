@@ -33,14 +33,13 @@ bool gltf_file_has(const char *path)
     return mark && (ends_in(path, (size_t)(mark - path), ".gltf") || ends_in(path, (size_t)(mark - path), ".glb"));
 }
 
-static const Tree *value_of(const Tree *tree, const char *key)
+const Tree *gltf_file_value(const Tree *tree, const char *key)
 {
     const Member *member = tree && tree->kind == TREE_object ? tree_find(tree, key) : NULL;
     return member ? member->value : NULL;
 }
 
-/* A whole number of bytes or an index; `without` where nothing stands, SIZE_MAX where it is none. */
-static size_t whole_of(const Tree *tree, size_t without)
+size_t gltf_file_whole(const Tree *tree, size_t without)
 {
     double value;
     if (!tree)
@@ -51,9 +50,9 @@ static size_t whole_of(const Tree *tree, size_t without)
                : SIZE_MAX;
 }
 
-static const Tree *item_of(const Tree *root, const char *list, size_t index)
+const Tree *gltf_file_item(const Tree *root, const char *list, size_t index)
 {
-    const Tree *items = value_of(root, list);
+    const Tree *items = gltf_file_value(root, list);
     return items && items->kind == TREE_list && index < items->count ? items->items[index] : NULL;
 }
 
@@ -105,7 +104,7 @@ static bool read_beside(Session *session, const char *from, const char *uri, Glt
 /* A file, a data: address, the chunk of a .glb. */
 static bool read_buffer(Session *session, const GltfFile *file, size_t number, GltfBytes *bytes, const char **why)
 {
-    const Tree *uri = value_of(item_of(file->root, "buffers", number), "uri");
+    const Tree *uri = gltf_file_value(gltf_file_item(file->root, "buffers", number), "uri");
     if (uri && uri->kind != TREE_scalar)
         return *why = "its buffer's uri is no text", false;
     if (uri)
@@ -118,10 +117,10 @@ static bool read_buffer(Session *session, const GltfFile *file, size_t number, G
 /* What a buffer holds, read once; NULL: `why`. */
 static const Buffer *buffer_of(Session *session, GltfFile *file, size_t number, const char **why)
 {
-    if (!item_of(file->root, "buffers", number))
+    if (!gltf_file_item(file->root, "buffers", number))
         return *why = "its bufferView names no buffer", NULL;
     if (!file->buffers)
-        file->buffers = ARENA_ARRAY(session->arena, Buffer, value_of(file->root, "buffers")->count);
+        file->buffers = ARENA_ARRAY(session->arena, Buffer, gltf_file_value(file->root, "buffers")->count);
     Buffer *buffer = &file->buffers[number];
     if (!buffer->read && !read_buffer(session, file, number, &buffer->bytes, &buffer->why))
         buffer->bytes = (GltfBytes){0};
@@ -134,15 +133,15 @@ static const Buffer *buffer_of(Session *session, GltfFile *file, size_t number, 
 
 static bool read_view(Session *session, GltfFile *file, const Tree *index, GltfBytes *bytes, const char **why)
 {
-    const Tree *view = item_of(file->root, "bufferViews", whole_of(index, SIZE_MAX));
-    const size_t number = whole_of(value_of(view, "buffer"), SIZE_MAX);
+    const Tree *view = gltf_file_item(file->root, "bufferViews", gltf_file_whole(index, SIZE_MAX));
+    const size_t number = gltf_file_whole(gltf_file_value(view, "buffer"), SIZE_MAX);
     if (!view)
         return *why = "its bufferView is not there", false;
     const Buffer *buffer = buffer_of(session, file, number, why);
     if (!buffer)
         return false;
-    const size_t offset = whole_of(value_of(view, "byteOffset"), 0),
-                 length = whole_of(value_of(view, "byteLength"), SIZE_MAX);
+    const size_t offset = gltf_file_whole(gltf_file_value(view, "byteOffset"), 0),
+                 length = gltf_file_whole(gltf_file_value(view, "byteLength"), SIZE_MAX);
     if (offset > buffer->bytes.size || length > buffer->bytes.size - offset)
         return *why = "its bufferView ends behind the end of its buffer", false;
     *bytes = (GltfBytes){buffer->bytes.at + offset, length};
@@ -192,9 +191,9 @@ bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, Glt
     if (!file->root)
         return *why = file->why, false;
     const Tree *image = digits && digits <= MOST_DIGITS && !number[digits]
-                            ? item_of(file->root, "images", strtoul(number, NULL, 10))
+                            ? gltf_file_item(file->root, "images", strtoul(number, NULL, 10))
                             : NULL;
-    const Tree *uri = value_of(image, "uri"), *view = value_of(image, "bufferView");
+    const Tree *uri = gltf_file_value(image, "uri"), *view = gltf_file_value(image, "bufferView");
     if (!image)
         return *why = "the file's list images has no such item", false;
     if (view)
@@ -203,4 +202,16 @@ bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, Glt
         return *why = "the file says neither its uri nor its bufferView", false;
     return is_data(uri) ? decode_data(session, uri, picture, why)
                         : read_beside(session, file->path, uri->text, picture, why);
+}
+
+const Tree *gltf_file_root(const GltfPlace *place, const char **why)
+{
+    const GltfFile *file = file_of(place->session, place->files, place->path);
+    *why = file->why;
+    return file->root;
+}
+
+bool gltf_file_view(const GltfPlace *place, const Tree *index, GltfBytes *bytes, const char **why)
+{
+    return read_view(place->session, file_of(place->session, place->files, place->path), index, bytes, why);
 }

@@ -1,18 +1,10 @@
 /* Attributes by name: from a program's list to locations, and to what meshes have. */
 #include "runtime/draw/material_feed.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 _Static_assert((int)MESH_ATTRIBUTE_end <= (int)MATERIAL_FEED_NAMES, "names of all attributes");
-
-/* The name as meshes know it, which stays when the document goes. */
-static const char *kept_name(const char *name)
-{
-    for (int i = 0; i < SHAPE_EXTRAS; i++)
-        if (!strcmp(shape_extra_names[i], name))
-            return shape_extra_names[i];
-    return "";
-}
 
 bool material_feed_make(Material *m, const MatcProgram *program, const char **names, ProgramText *text)
 {
@@ -24,7 +16,8 @@ bool material_feed_make(Material *m, const MatcProgram *program, const char **na
     for (int i = 0; i < matc_attribute_count(program); i++) {
         const MatcAttribute *attribute = matc_attribute(program, i);
         MeshFeed *feed = &m->feeds[m->feed_count];
-        *feed = (MeshFeed){kept_name(attribute->name), (GLuint)attribute->location, {0}};
+        *feed = (MeshFeed){.location = (GLuint)attribute->location};
+        snprintf(feed->name, sizeof feed->name, "%s", attribute->name); /* a document's are shorter */
         for (int lane = 0; lane < 4; lane++)
             feed->initial[lane] = (float)attribute->initial[lane];
         if (attribute->location >= MATERIAL_FEED_NAMES)

@@ -78,6 +78,7 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
     for (int i = 0; i < SHAPE_EXTRAS; i++)
         if (shape->extra[i])
             gl->GenBuffers(1, &made->extras[i]);
+    memcpy(made->names, shape->names, sizeof made->names);
     upload(gl, made, shape);
     made->index_count = shape->index_count;
     made->body = shape_body(shape);
@@ -124,10 +125,11 @@ bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made)
     return done;
 }
 
+/* Of those that there are: `_COLOR` is "color" where the file has no COLOR_0. */
 static GLuint extra_of(const Mesh *mesh, const char *name)
 {
     for (int i = 0; i < SHAPE_EXTRAS; i++)
-        if (!strcmp(shape_extra_names[i], name))
+        if (mesh->extras[i] && shape_extra_is(mesh->names, i, name))
             return mesh->extras[i];
     return 0;
 }

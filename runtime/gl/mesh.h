@@ -28,6 +28,7 @@ typedef struct {
     GLuint array;      /* vertex array */
     GLuint buffers[3]; /* vertices, indices, base positions where they are others */
     GLuint extras[SHAPE_EXTRAS]; /* four lanes a vertex; 0: the shape has none */
+    ShapeNames names;            /* the shape's */
     GLsizei index_count;
     ShapeBody body; /* what it encloses */
 } Mesh;
@@ -51,7 +52,7 @@ void mesh_point_attributes(const GlContext *gl);
 
 /* An attribute that a program reads by a name of a document's. */
 typedef struct MeshFeed {
-    const char *name;
+    char name[SHAPE_NAME];
     GLuint location;
     float initial[4]; /* of a mesh that has none of that name */
 } MeshFeed;

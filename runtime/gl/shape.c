@@ -178,7 +178,17 @@ bool shape_make_detailed(ShapeKind kind, const int steps[2], Shape *made)
     return true;
 }
 
-const char *const shape_extra_names[SHAPE_EXTRAS] = {"color", "uv1"};
+bool shape_extra_is(const char (*names)[SHAPE_NAME], int extra, const char *name)
+{
+    static const char *const fixed[SHAPE_EXTRA_named] = {"color", "uv1"};
+    if (extra < SHAPE_EXTRA_named)
+        return !strcmp(fixed[extra], name);
+    const char *own = names[extra - SHAPE_EXTRA_named];
+    size_t i = 0;
+    while (own[i] && own[i] == (name[i] >= 'A' && name[i] <= 'Z' ? name[i] - 'A' + 'a' : name[i]))
+        i++;
+    return i && !own[i] && !name[i];
+}
 
 void shape_copy_extras(Shape *made, uint32_t to, const Shape *shape, uint32_t from)
 {

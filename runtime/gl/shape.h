@@ -25,16 +25,23 @@ typedef struct {
     float tangentV[3]; /* dP/dv */
 } ShapeVertex;
 
-/* What materials know as attributes of the mesh, where a file has it. */
-typedef enum { SHAPE_EXTRA_color, SHAPE_EXTRA_uv1, SHAPE_EXTRAS } ShapeExtra;
-extern const char *const shape_extra_names[SHAPE_EXTRAS]; /* "color", "uv1" */
+/* What materials know as attributes of the mesh, where a file has it: two that each glTF may have, and those that its author named. */
+enum { SHAPE_NAMED = 8, SHAPE_NAME = 64 /* bytes of a name, with its end */ };
+typedef enum {
+    SHAPE_EXTRA_color,
+    SHAPE_EXTRA_uv1,
+    SHAPE_EXTRA_named,
+    SHAPE_EXTRAS = SHAPE_EXTRA_named + SHAPE_NAMED
+} ShapeExtra;
+typedef char ShapeNames[SHAPE_NAMED][SHAPE_NAME]; /* small letters; "": none */
 
 typedef struct {
     ShapeVertex *vertices;
     uint32_t *indices; /* triangles */
     int vertex_count, index_count;
-    float (*base)[3]; /* by vertex: where it was before the shape was displaced; NULL: it was not */
+    float (*base)[3];                /* by vertex: where it was before the shape was displaced; NULL: it was not */
     float (*extra[SHAPE_EXTRAS])[4]; /* by vertex; NULL: it has none */
+    ShapeNames names;                /* of the extras from SHAPE_EXTRA_named on */
 } Shape;
 
 /* The name of a kind ("sphere") and back; false for a name that is none. */
@@ -50,6 +57,8 @@ void shape_copy_extras(Shape *made, uint32_t to, const Shape *shape, uint32_t fr
 /* Room for as many vertices, in extras that are there; those beyond the old ones are as they come. False: out of memory. */
 bool shape_grow_extras(Shape *shape, int vertices);
 void shape_free(Shape *shape);
+/* Whether an extra has the name that a document says: "color", "uv1", or one of `names`, whatever its letters' case. */
+bool shape_extra_is(const char (*names)[SHAPE_NAME], int extra, const char *name);
 
 /* What a shape's triangles enclose, vertices in one place taken together. Wrong about one of 2^63 that enclose less. shape_closed.c */
 typedef enum {

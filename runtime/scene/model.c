@@ -28,6 +28,7 @@ typedef struct {
     bool done, has_normals, has_coordinates;
     int vertex_count, index_count, run_count;
     bool extras[SHAPE_EXTRAS];
+    ShapeNames names;
     char error[MESSAGE];
 } Head;
 
@@ -96,6 +97,7 @@ static _Noreturn void import_and_send(const char *path, int pipe)
     head.run_count = parts.run_count;
     for (int i = 0; i < SHAPE_EXTRAS; i++)
         head.extras[i] = parts.shape.extra[i] != NULL;
+    memcpy(head.names, parts.shape.names, sizeof head.names);
     bool sent = send_all(pipe, &head, sizeof head);
     if (sent && head.done)
         sent = send_all(pipe, parts.shape.vertices, (size_t)head.vertex_count * sizeof *parts.shape.vertices) &&
@@ -122,6 +124,9 @@ static bool are_whole(const ModelRun *runs, const Head *head)
 /* Numbers that are none, or infinite, are 0. */
 static bool receive_extras(int pipe, const Head *head, Shape *shape)
 {
+    memcpy(shape->names, head->names, sizeof shape->names);
+    for (int i = 0; i < SHAPE_NAMED; i++)
+        shape->names[i][SHAPE_NAME - 1] = 0;
     for (int i = 0; i < SHAPE_EXTRAS; i++) {
         if (!head->extras[i])
             continue;

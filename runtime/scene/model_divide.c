@@ -57,6 +57,7 @@ static bool take_vertices(const Shape *shape, uint32_t *place, uint32_t taken, S
         if (place[own->indices[i]] <= taken)
             place[own->indices[i]] = taken + (uint32_t)++own->vertex_count;
     own->vertices = malloc((size_t)own->vertex_count * sizeof *own->vertices + 1);
+    memcpy(own->names, shape->names, sizeof own->names);
     bool room = own->vertices != NULL;
     for (int i = 0; room && i < SHAPE_EXTRAS; i++)
         if (shape->extra[i]) {

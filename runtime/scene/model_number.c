@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-char *model_number_materials(const char *text, size_t size)
+char *model_number_text(const char *text, size_t size)
 {
     char number[16], *made = NULL;
     int count = 0;
@@ -21,7 +21,8 @@ char *model_number_materials(const char *text, size_t size)
         cJSON_DeleteItemFromObjectCaseSensitive(material, "name");
         cJSON_AddStringToObject(material, "name", number);
     }
-    if (count)
+    const bool vertices = model_number_vertices(json);
+    if (count || vertices)
         made = cJSON_PrintUnformatted(json);
     cJSON_Delete(json);
     return made;
@@ -38,8 +39,7 @@ char *model_number_binary(const char *bytes, size_t size, size_t *made)
     enum { HEAD = 20, ROUND = 4 };
     Arena arena = {0};
     GltfChunks chunks;
-    char *text =
-        gltf_chunks_of(&arena, bytes, size, &chunks) ? NULL : model_number_materials(chunks.text, chunks.size);
+    char *text = gltf_chunks_of(&arena, bytes, size, &chunks) ? NULL : model_number_text(chunks.text, chunks.size);
     arena_free(&arena);
     if (!text)
         return NULL;

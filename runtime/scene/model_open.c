@@ -60,14 +60,14 @@ static FILE *open_file(const char *path, size_t *size)
     return file;
 }
 
-/* In place of a .gltf, or a .glb, the same with numbered materials. */
-static void number_materials(ModelFile *opened, bool binary)
+/* In place of a .gltf, or a .glb, the same with numbered materials and vertices. */
+static void number_file(ModelFile *opened, bool binary)
 {
     char *text = malloc(opened->size + 1);
     if (!text)
         abort();
     size_t size = fread(text, 1, opened->size, opened->file);
-    opened->text = binary ? model_number_binary(text, size, &size) : model_number_materials(text, size);
+    opened->text = binary ? model_number_binary(text, size, &size) : model_number_text(text, size);
     if (opened->text && !binary)
         size = strlen(opened->text);
     free(text);
@@ -91,7 +91,7 @@ static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, 
     if (opened->file) {
         const char *dot = strrchr(path, '.');
         if (dot && (text_same(dot, ".gltf") || text_same(dot, ".glb")))
-            number_materials(opened, text_same(dot, ".glb"));
+            number_file(opened, text_same(dot, ".glb"));
         return &opened->calls;
     }
     free(opened);
