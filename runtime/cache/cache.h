@@ -102,7 +102,8 @@ typedef struct {
     const int *at;              /* its pixel that is drawn first: of a tile */
     const MatcOptions *compile; /* of programs that displace */
     bool triangles;             /* of meshes that the driver displaces are wanted in the scene, too */
-    bool alone;                 /* the camera alone looks at the scene: no light that casts shadows, and no ray */
+    bool alone;                 /* the camera alone looks at the scene, and maps of shadows: no ray, no other shadows */
+    bool casts;                 /* there are such maps */
     Transparency transparency;
     ExactNumberWhat written; /* by what is opaque, beside the G-buffer */
     bool lines;              /* surfaces are drawn as lines */

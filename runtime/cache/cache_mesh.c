@@ -75,7 +75,8 @@ static bool make_displaced(Store *store, const CacheSource *source, Cache *cache
         return set_fail(gl, source->scene, from->patches->material);
     if (displaced_by_view(&cache->displaced[mesh]))
         return true; /* cache_mesh_view follows, which knows all objects */
-    if (!displace(&(DisplacedView){source->scene, {source->size[0], source->size[1]}, {0}, {0}, {0}}, source, cache, mesh))
+    if (!displace(&(DisplacedView){source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}}, source,
+                  cache, mesh))
         return false;
     if (source->triangles)
         cache->boxes[mesh] = cull_box(&from->shape);
@@ -107,12 +108,14 @@ bool cache_mesh_by_lights(const Cache *cache)
 
 bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache)
 {
-    DisplacedView view = {source->scene, {source->size[0], source->size[1]}, {0}, {0}, {0}};
+    DisplacedView view = {source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}};
     bool fine = true;
     if (cache_mesh_by_lights(cache))
         find_box(source, cache, &view);
     if (source->alone && source->volume && !source->triangles)
-        view.sight = (SceneSight){source->volume->planes, source->volume->count};
+        view.sight = (SceneSight){.planes = source->volume->planes,
+                                  .count = source->volume->count,
+                                  .casts = source->casts ? source->scene : NULL};
     for (int i = 0; fine && i < cache->mesh_count; i++)
         if (displaced_by_view(&cache->displaced[i]))
             fine = displace(&view, source, cache, i) && gl_check(gl, "displacing a mesh");

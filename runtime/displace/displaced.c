@@ -75,7 +75,10 @@ bool displaced_by_view(const Displaced *d)
     return d->material.store && (d->method->by_view || d->patches->pixels > 0);
 }
 
-bool displaced_by_lights(const Displaced *d) { return d->material.store && d->method == &displaced_bisection; }
+bool displaced_by_lights(const Displaced *d)
+{
+    return d->material.store && (d->method == &displaced_bisection || scene_patches_hide(d->patches));
+}
 
 bool displaced_write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 {

@@ -30,7 +30,7 @@ typedef struct {
     const Scene *scene;     /* its camera, and lights */
     int size[2];            /* pixels of the picture */
     double low[3], high[3]; /* of a box around all that shadows may fall on; low >= high: they fall anywhere */
-    SceneSight sight;       /* what the picture shows, where nothing else asks for triangles: no light, no ray; of no planes: all are wanted */
+    SceneSight sight;       /* what the picture shows, where nothing else asks for triangles but maps of shadows; of no planes: all are wanted */
 } DisplacedView;
 
 /* The driver can: OpenGL 4.5, with buffers that its stages read. */

@@ -159,11 +159,20 @@ void frame_use(const Render *render, const Framebuffer *framebuffer)
     render->gl->Viewport(-render->at[0], -render->at[1], render->whole[0], render->whole[1]);
 }
 
-/* Light that goes on, or is kept off, asks for what is beside the view. */
+static bool casts(const Render *render)
+{
+    return render->scene && !render->options.no_shadows && scene_casts(render->scene);
+}
+
+/* Light that goes on asks for what is beside the view; so do shadows but by plain maps: borders of bodies, and ways from within an Area, which pass beside what its points see. */
 static bool is_alone(const Render *render)
 {
     const Scene *scene = render->scene;
-    return scene && (render->options.no_shadows || !scene_casts(scene)) && !scene_indirect_is(scene);
+    bool alone = scene && !scene_indirect_is(scene);
+    for (int i = 0; alone && casts(render) && i < scene->light_count; i++)
+        alone = !scene_light_casts(&scene->lights[i]) ||
+                (scene->lights[i].shadows == WORD_Shadows_map && scene->lights[i].kind != SCENE_Area);
+    return alone;
 }
 
 CacheSource frame_source(const Render *render)
@@ -178,6 +187,7 @@ CacheSource frame_source(const Render *render)
                          &render->compile,
                          render->triangles,
                          is_alone(render),
+                         casts(render),
                          render->transparency,
                          render->number,
                          render->look && render->look->scene == VOLUME_VIEW_lines};

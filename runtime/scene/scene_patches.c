@@ -195,29 +195,18 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen, cons
     return (uint8_t)parts;
 }
 
-/* Points lie as far from a plane as the corners, or between, and are moved by `bound` at most. What is rounded by corners, or a symbol, may go farther. */
-static bool may_hide(const ScenePatches *patches)
+/* What is rounded by corners, or a symbol, may go farther than `bound`. */
+bool scene_patches_hide(const ScenePatches *patches)
 {
     return patches->pixels > 0 && patches->dividing.push == 0 && patches->dividing.bulge == 0 && patches->method != WORD_Displacing_points;
 }
 
-/* All corners are outside of one plane by more than points move, and than a tenth of how far the patch is away. A bound of 0.1, a corner 5 away: from 0.6 outside. */
 static bool is_hidden(const ScenePatches *patches, const ScenePatch *patch, const double eye[3], const SceneSight *sight)
 {
-    const double beside = 0.1;
-    double corner[3][3], way[3];
+    double corners[3][3];
     for (int k = 0; k < 3; k++)
-        to_world(patches, patches->rows[patch->own[k]].position, corner[k]);
-    for (int i = 0; i < 3; i++)
-        way[i] = corner[0][i] - eye[i];
-    const double margin = patches->bound + beside * sqrt(scene_vector_dot(way, way));
-    bool hidden = false;
-    for (int i = 0; i < sight->count && !hidden; i++) {
-        hidden = true;
-        for (int k = 0; k < 3; k++)
-            hidden &= scene_vector_dot(sight->planes[i], corner[k]) + sight->planes[i][3] < -margin;
-    }
-    return hidden;
+        to_world(patches, patches->rows[patch->own[k]].position, corners[k]);
+    return scene_sight_misses(sight, eye, (const double(*)[3])corners, patches->bound);
 }
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -258,7 +247,7 @@ void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera
                                           patches->rows[own[(k + 2) % 3]].position};
             parts[t][k] = patches->pixels > 0 ? parts_of(patches, &seen, ends) : (uint8_t)patches->level;
         }
-    for (int t = 0; sight && may_hide(patches) && t < patches->count; t++)
+    for (int t = 0; sight && scene_patches_hide(patches) && t < patches->count; t++)
         if (is_hidden(patches, &patches->at[t], camera->position, sight))
             memset(parts[t], 0, sizeof parts[t]);
     if (patches->pixels > 0)

@@ -1,7 +1,7 @@
 /* A mesh that is divided and displaced by whoever draws it: patches, which are triangles, and what their points are moved by. */
 #ifndef MATC_SCENE_PATCHES_H
 #define MATC_SCENE_PATCHES_H
-#include "runtime/scene/scene.h"
+#include "runtime/scene/scene_sight.h"
 
 enum { SCENE_PATCH_PARTS = 64 /* that an edge of a patch has at most */ };
 
@@ -40,15 +40,12 @@ bool scene_patch_ends(const ScenePatch *patch, const int *first, int k, uint32_t
 int scene_patch_parts(const uint8_t parts[3]);
 /* A mesh and its patches; leaves an empty one behind. */
 void scene_mesh_free(SceneMesh *mesh);
-/* Half spaces of the world, n x + d >= 0 inside, n of unit length: what is outside of one of them is not seen. */
-typedef struct {
-    const double (*planes)[4];
-    int count;
-} SceneSight;
+/* Patches that nobody sees may be left out: they go by the picture, and no point goes farther than the height says. */
+bool scene_patches_hide(const ScenePatches *patches);
 /* Into how many parts edges 0 to 2 of each patch are divided as `camera` sees them, in a picture of `size` pixels. Triangles that share an
  * edge have the same number for it: it goes by the edge's ends. It is a power of two, so that points of a coarser division are among those of a finer. Triangles are
  * at most as many as the patches say, as long as these are not more themselves. Beyond `sight`, NULL: there is no end, patches that go by the picture are in 0 parts, all edges: wherever
- * their points are moved to, none is seen. What a tenth of its distance beside the view may come into it is kept. */
+ * their points are moved to, none is seen, nor its shadow. What a tenth of its distance beside the view may come into it is kept. */
 void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2],
                           const SceneSight *sight, uint8_t (*parts)[3]);
 #endif
