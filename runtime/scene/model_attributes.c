@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 
 /* glTF 2.0, section 3.6.2.2. */
-typedef enum { BYTE = 5120, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, FLOAT = 5126 } Component;
+typedef enum { BYTE = 5120, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, UNSIGNED_INT = 5125, FLOAT } Component;
 enum { LANES = 4, MOST_STRIDE = 252, PLACE = 96 };
 
 typedef struct {
@@ -30,6 +30,7 @@ typedef struct {
     int lanes;
     Component component;
     bool normalized;
+    const Tree *sparse; /* which vertices have other values than those, and which: section 3.6.2.3. NULL: none */
 } Accessor;
 
 static bool fail(const Reader *r, const char *name, const char *why)
@@ -55,7 +56,7 @@ static size_t bytes_of(size_t component)
 {
     return component == BYTE || component == UNSIGNED_BYTE     ? 1
            : component == SHORT || component == UNSIGNED_SHORT ? 2
-           : component == FLOAT                                ? sizeof(float)
+           : component == UNSIGNED_INT || component == FLOAT   ? 4
                                                                : 0;
 }
 
@@ -87,13 +88,13 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
     const size_t component = gltf_file_whole(gltf_file_value(accessor, "componentType"), 0);
     if (!accessor)
         return "its accessor is not there";
-    if (gltf_file_value(accessor, "sparse"))
-        return "its accessor is sparse, which is not read";
-    *made = (Accessor){.lanes = lanes_of(gltf_file_value(accessor, "type")), .component = (Component)component};
+    *made = (Accessor){.lanes = lanes_of(gltf_file_value(accessor, "type")),
+                       .component = (Component)component,
+                       .sparse = gltf_file_value(accessor, "sparse")};
     made->normalized = is_text(gltf_file_value(accessor, "normalized"), "true");
     if (!made->lanes)
         return "its accessor's type is none of SCALAR, VEC2, VEC3, VEC4";
-    if (!bytes_of(component))
+    if (!bytes_of(component) || component == UNSIGNED_INT) /* which attributes cannot have */
         return "its accessor's componentType is none of bytes, shorts and floats (5120 to 5123, 5126)";
     if (gltf_file_whole(gltf_file_value(accessor, "count"), 0) != count)
         return "its accessor has another count than that of POSITION";
@@ -133,7 +134,46 @@ static void put_numbers(const Accessor *a, size_t count, float (*to)[LANES])
     }
 }
 
-/* The number of a name, "_WETNESS" being "wetness"; SHAPE_NAMED: there are too many. */
+/* So many values of so many bytes, close together, of a part of a sparse accessor; NULL: `why`. */
+static const unsigned char *sparse_bytes(const Reader *r, const Tree *part, size_t size, const char **why)
+{
+    GltfBytes bytes;
+    const size_t offset = gltf_file_whole(gltf_file_value(part, "byteOffset"), 0);
+    if (!gltf_file_view(&r->place, gltf_file_value(part, "bufferView"), &bytes, why))
+        return NULL;
+    *why = "its sparse values end behind the end of their bufferView";
+    return offset > bytes.size || size > bytes.size - offset ? NULL : (const unsigned char *)bytes.at + offset;
+}
+
+/* Values of some vertices, by their numbers. NULL, or what is wrong. */
+static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertices, float (*to)[LANES])
+{
+    const Tree *indices = gltf_file_value(a->sparse, "indices");
+    const size_t count = gltf_file_whole(gltf_file_value(a->sparse, "count"), 0);
+    const size_t component = gltf_file_whole(gltf_file_value(indices, "componentType"), 0), wide = bytes_of(component);
+    const char *why = NULL;
+    if (!count || count > vertices)
+        return "its accessor has more sparse values than vertices, or none";
+    if (component != UNSIGNED_BYTE && component != UNSIGNED_SHORT && component != UNSIGNED_INT)
+        return "its sparse indices' componentType is none of 5121, 5123, 5125";
+    const unsigned char *number = sparse_bytes(r, indices, count * wide, &why);
+    Accessor values = *a;
+    values.stride = bytes_of(a->component) * (size_t)a->lanes;
+    values.at = number ? sparse_bytes(r, gltf_file_value(a->sparse, "values"), count * values.stride, &why) : NULL;
+    if (!values.at)
+        return why;
+    for (size_t i = 0; i < count; i++, number += wide, values.at += values.stride) {
+        uint32_t vertex = 0;
+        for (size_t byte = 0; byte < wide; byte++)
+            vertex |= (uint32_t)number[byte] << 8 * byte;
+        if (vertex >= vertices)
+            return "its sparse indices are beyond its vertices";
+        put_numbers(&values, 1, &to[vertex]);
+    }
+    return NULL;
+}
+
+/* The number of a name, "_WETNESS" being "wetness"; SHAPE_NAMED: so many came before it. */
 static int place_of(Reader *r, const char *key)
 {
     char name[SHAPE_NAME] = "";
@@ -152,7 +192,7 @@ static bool read_one(Reader *r, const Member *member, ModelPrimitive *primitive)
     Accessor accessor;
     const int place = place_of(r, member->key);
     if (place == SHAPE_NAMED)
-        return fail(r, member->key, "more than 8 names that begin with _, in one file");
+        return true;
     if (primitive->values[place])
         return fail(r, member->key, "two names that differ in capitals alone");
     const char *why = find_accessor(r, member->value, primitive->vertex_count, &accessor);
@@ -160,7 +200,8 @@ static bool read_one(Reader *r, const Member *member, ModelPrimitive *primitive)
         return fail(r, member->key, why);
     primitive->values[place] = arena_alloc(r->place.session->arena, primitive->vertex_count * sizeof(float[LANES]));
     put_numbers(&accessor, primitive->vertex_count, primitive->values[place]);
-    return true;
+    why = accessor.sparse ? put_sparse(r, &accessor, primitive->vertex_count, primitive->values[place]) : NULL;
+    return !why || fail(r, member->key, why);
 }
 
 /* A name that a formula can ask for. */
