@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double ring = 1, tube = 0.5;
+static const double ring = 1, tube = 0.5, twist = 2;
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -22,7 +22,7 @@ static Base base_at(CurvedBody body, double a, double b)
     const double ca = cos(a), sa = sin(a), cb = cos(b), sb = sin(b);
     Base base = {.n = {cb * ca, cb * sa, sb}, .along = {{-sa, ca, 0}, {-sb * ca, -sb * sa, cb}}, .bends = {1, 1}};
     for (int i = 0; i < 3; i++)
-        base.at[i] = body == CURVED_ball ? base.n[i] : tube * base.n[i] + (i == 0 ? ring * ca : i == 1 ? ring * sa : 0);
+        base.at[i] = body != CURVED_torus ? base.n[i] : tube * base.n[i] + (i == 0 ? ring * ca : i == 1 ? ring * sa : 0);
     if (body == CURVED_torus) {
         base.bends[0] = cb / (ring + tube * cb);
         base.bends[1] = 1 / tube;
@@ -39,7 +39,7 @@ static Base base_near(CurvedBody body, const double place[3])
 /* Second derivatives of ((R + r cos b) cos a, (R + r cos b) sin a, r sin b), a = 2 pi u, b of v likewise, of a ball half as fast. */
 static void set_turns(CurvedBody body, double a, double b, double slopes[2][2][3])
 {
-    const bool ball = body == CURVED_ball;
+    const bool ball = body != CURVED_torus;
     const double big = ball ? 0 : ring, small = ball ? 1 : tube, by_u = 2 * M_PI, by_v = ball ? M_PI : 2 * M_PI, out = big + small * cos(b);
     const double uu[3] = {-out * cos(a), -out * sin(a), 0}, uv[3] = {small * sin(b) * sin(a), -small * sin(b) * cos(a), 0}, vv[3] = {-small * cos(b) * cos(a), -small * cos(b) * sin(a), -small * sin(b)};
     for (int i = 0; i < 3; i++) {
@@ -49,12 +49,28 @@ static void set_turns(CurvedBody body, double a, double b, double slopes[2][2][3
     }
 }
 
+/* With s = 2 pi u + twist v and t = v what the ball's longitude and way are of: d/dv = twist / (2 pi) d/du + d/dv of the ball. A ball's normal is its place. */
+static void twist_surface(Surface *surface, double tangent[2][3])
+{
+    const double k = twist / (2 * M_PI);
+    double(*slopes)[2][3] = surface->tangent_slopes;
+    for (int i = 0; i < 3; i++) {
+        tangent[1][i] += k * tangent[0][i];
+        surface->normal_v[i] = surface->local_v[i] = tangent[1][i];
+        slopes[1][1][i] += 2 * k * slopes[0][1][i] + k * k * slopes[0][0][i];
+        slopes[0][1][i] += k * slopes[0][0][i];
+        slopes[1][0][i] = slopes[0][1][i];
+    }
+}
+
 void curved_surface(CurvedBody body, double u, double v, Surface *surface)
 {
-    const double turn = 2 * M_PI, by_v = body == CURVED_ball ? M_PI : turn;
-    const Base base = base_at(body, turn * u, body == CURVED_ball ? by_v * (v - 0.5) : by_v * v);
+    if (body == CURVED_twisted)
+        u += twist * v / (2 * M_PI);
+    const double turn = 2 * M_PI, by_v = body != CURVED_torus ? M_PI : turn;
+    const Base base = base_at(body, turn * u, body != CURVED_torus ? by_v * (v - 0.5) : by_v * v);
     double tangent[2][3];
-    const double length[2] = {turn * hypot(base.at[0], base.at[1]), by_v * (body == CURVED_ball ? 1 : tube)};
+    const double length[2] = {turn * hypot(base.at[0], base.at[1]), by_v * (body != CURVED_torus ? 1 : tube)};
     oracle_surface_default(surface);
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++) {
@@ -62,13 +78,15 @@ void curved_surface(CurvedBody body, double u, double v, Surface *surface)
             (k ? surface->normal_v : surface->normal_u)[i] = base.bends[k] * tangent[k][i];
             (k ? surface->local_v : surface->local_u)[i] = tangent[k][i];
         }
-    set_turns(body, turn * u, body == CURVED_ball ? by_v * (v - 0.5) : by_v * v, surface->tangent_slopes);
+    set_turns(body, turn * u, body != CURVED_torus ? by_v * (v - 0.5) : by_v * v, surface->tangent_slopes);
+    if (body == CURVED_twisted)
+        twist_surface(surface, tangent);
     set(surface, GROUP_P, base.at);
     set(surface, GROUP_X, base.at);
     set(surface, GROUP_N, base.n);
     set(surface, GROUP_DU, tangent[0]);
     set(surface, GROUP_DV, tangent[1]);
-    set(surface, GROUP_U, (double[3]){u, v, 0});
+    set(surface, GROUP_U, (double[3]){body == CURVED_twisted ? u - twist * v / turn : u, v, 0});
 }
 
 void curved_base(CurvedBody body, const double place[3], double normal[3])
@@ -111,12 +129,46 @@ static void vector_along(const double p[3], const double way[3], double scale, d
         lanes[i] = scale * dot(gradients[i], way);
 }
 
+/* The twisted ball's point at (s, v), s = 2 pi u, moved along its unit tangents and normal. */
+static void moved_twisted(double s, double v, double scale, double at[3])
+{
+    const Base base = base_at(CURVED_twisted, s + twist * v, M_PI * (v - 0.5));
+    double m[3], across[3];
+    const double around = twist * hypot(base.at[0], base.at[1]), length = hypot(around, M_PI);
+    vector_at(base.at, scale, m);
+    for (int i = 0; i < 3; i++) {
+        across[i] = (around * base.along[0][i] + M_PI * base.along[1][i]) / length;
+        at[i] = base.at[i] + m[0] * base.along[0][i] + m[1] * across[i] + m[2] * base.n[i];
+    }
+}
+
+static void twisted_normal(double scale, const double place[3], double normal[3])
+{
+    const double step = 1e-5, v = asin(place[2] / sqrt(dot(place, place))) / M_PI + 0.5, s = atan2(place[1], place[0]) - twist * v;
+    double ends[2][2][3], by[2][3];
+    for (int i = 0; i < 2; i++) {
+        moved_twisted(s + (i ? -step : step), v, scale, ends[0][i]);
+        moved_twisted(s, v + (i ? -step : step), scale, ends[1][i]);
+    }
+    for (int i = 0; i < 6; i++)
+        by[i / 3][i % 3] = ends[i / 3][0][i % 3] - ends[i / 3][1][i % 3];
+    for (int i = 0; i < 3; i++)
+        normal[i] = by[0][(i + 1) % 3] * by[1][(i + 2) % 3] - by[0][(i + 2) % 3] * by[1][(i + 1) % 3];
+    const double size = sqrt(dot(normal, normal));
+    for (int i = 0; i < 3; i++)
+        normal[i] /= size;
+}
+
 void curved_vector_normal(CurvedBody body, double scale, const double place[3], double normal[3])
 {
+    if (body == CURVED_twisted) {
+        twisted_normal(scale, place, normal);
+        return;
+    }
     const Base base = base_near(body, place);
     const double *n = base.n, *e = base.along[0], *f = base.along[1];
     const double cb = n[0] * e[1] - n[1] * e[0], sb = n[2];
-    const double small = body == CURVED_ball ? 1 : tube, out = (body == CURVED_ball ? 0 : ring) + small * cb;
+    const double small = body != CURVED_torus ? 1 : tube, out = (body != CURVED_torus ? 0 : ring) + small * cb;
     double m[3], way[3], a[3], b[3], by_a[3], by_b[3];
     vector_at(base.at, scale, m);
     for (int k = 0; k < 2; k++) {

@@ -4,8 +4,13 @@
 #include "compiler/oracle/oracle.h"
 
 /* A ball of radius 1; a torus around the z axis whose tube of radius 0.5 has its middle 1 away. */
-typedef enum { CURVED_ball, CURVED_torus, CURVED_COUNT } CurvedBody;
-static const double curved_radius[CURVED_COUNT] = {1, 0.5}; /* the smaller of curvature */
+typedef enum {
+    CURVED_ball,
+    CURVED_torus,
+    CURVED_COUNT,
+    CURVED_twisted = CURVED_COUNT /* the ball, whose longitudes are 2 v further on: tangents stand at no right angles, and both turn along v */
+} CurvedBody;
+static const double curved_radius[] = {1, 0.5, 1}; /* the smaller of curvature */
 
 /* The height of a place (x, y, z), at most 1 either way, as `displacement` has it. */
 #define CURVED_HEIGHT "'= sin(3 * x + 1) * cos(2 * y + z)'"
@@ -22,7 +27,7 @@ void curved_base(CurvedBody body, const double place[3], double normal[3]);
  * A ball of radius 1, h = 0.25 and a slope of 0.1 along x, n = (0, 0, 1): (-0.08, 0, 1) / |...|. */
 void curved_normal(CurvedBody body, double scale, const double place[3], bool stay, double normal[3]);
 /* The same of the base moved by scale times that vector, along the unit tangents and the normal, in the frame that turns along: with a around the axis, b across and e, f the unit tangents there, e_a = sin b f - cos b n,
- * f_a = -sin b e, n_a = cos b e, f_b = -n, n_b = f and e_b = 0. */
+ * f_a = -sin b e, n_a = cos b e, f_b = -n, n_b = f and e_b = 0. Of what is twisted by differences of the moved surface itself. */
 void curved_vector_normal(CurvedBody body, double scale, const double place[3], double normal[3]);
 /* Degrees between two vectors. */
 double curved_angle(const double a[3], const double b[3]);
