@@ -50,7 +50,7 @@ static const char lobes[] =
     "    vec3 v = eyeOf(p), l = normalize(reflect(-v, vec3(0.0, 0.0, 1.0)) + roughOf(p) * roughOf(p) * (lightOf(p) - "
     "vec3(0.0, 0.0, 0.4)));\n"
     "    l.z = max(l.z, 0.05); l = normalize(l);\n"
-    "    return vec4(facetsAlong(m, vec3(0.0, 0.0, 1.0), l, v, vec2(l.z, v.z)), l); }\n";
+    "    return vec4(facetsAlong(m, vec3(0.0, 0.0, 1.0), l, normalize(l + v), l.z, vec2(v.z, maskedAlong(m, v, v.z))), l); }\n";
 /* Half of the directions by what the eye sees of the facets (Heitz 2018), half by the cosine; the coat's are wide. */
 static const char furnace[] =
     "float sent(Surface surface, vec3 v) {\n"

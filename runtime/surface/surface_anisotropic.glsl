@@ -184,15 +184,19 @@ vec2 albedoAround(float cosine, Anisotropy m)
     return 0.5 * (albedoAlong(cosine, sqrt(1.0 + off), m) + albedoAlong(cosine, sqrt(1.0 - off), m));
 }
 
-// As facets(): the light's direction l and the eye's, their cosines in x and y.
-float facetsAlong(Anisotropy m, vec3 normal, vec3 l, vec3 eye, vec2 cosines)
+// What Smith's masking takes of a direction with that cosine.
+float maskedAlong(Anisotropy m, vec3 v, float cosine)
 {
-    vec3 between = l + eye;
-    vec3 h = between * inversesqrt(max(dot(between, between), 1e-12));
+    vec2 wide = m.widths * vec2(dot(v, m.along), dot(v, m.across));
+    return sqrt(cosine * cosine + dot(wide, wide));
+}
+
+// As facets(): the light's direction l and the half vector, the light's cosine; of the eye its cosine and its maskedAlong().
+float facetsAlong(Anisotropy m, vec3 normal, vec3 l, vec3 h, float cosine, vec2 eye)
+{
     vec2 across = vec2(dot(h, m.along), dot(h, m.across)) / m.widths;
     float high = dot(normal, h), width = high * high + dot(across, across);
-    vec2 light = m.widths * vec2(dot(l, m.along), dot(l, m.across)), seen = m.widths * vec2(dot(eye, m.along), dot(eye, m.across));
-    float masked = cosines.x * sqrt(cosines.y * cosines.y + dot(seen, seen)) + cosines.y * sqrt(cosines.x * cosines.x + dot(light, light));
-    return 0.5 * cosines.x / (m.widths.x * m.widths.y * width * width * masked);
+    float masked = cosine * eye.y + eye.x * maskedAlong(m, l, cosine);
+    return 0.5 * cosine / (m.widths.x * m.widths.y * width * width * masked);
 }
 #endif

@@ -198,27 +198,42 @@ vec3 filmedOf(Film film, vec2 albedo, float alpha, float reflectance, vec3 again
 }
 #endif
 
-// GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the header; h is the half vector.
-float facets(float alpha, vec3 normal, vec3 h, float cosine, float eye)
+// The share of the surface that is not there. What is let through by a dielectric does not count.
+float holesOf(Surface s)
+{
+    float holes = 0.0;
+#ifdef SURFACE_HAS_transparency
+    holes = max(s.transparency.x, max(s.transparency.y, s.transparency.z));
+#ifdef LIT_CLEAR
+    holes -= s.transmission;
+#endif
+#endif
+    return clamp(holes, 0.0, 1.0);
+}
+
+// What Smith's masking takes of a direction by its cosine.
+float maskedOf(float alpha, float cosine) { return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
+
+// GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the header; h is the half vector, and `eye` the eye's cosine and its maskedOf().
+float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 {
     float alpha2 = alpha * alpha, high = dot(normal, h);
     vec3 across = cross(normal, h);
     float width = alpha2 * high * high + dot(across, across); // of small angles, too
-    float masked = cosine * sqrt(alpha2 + (1.0 - alpha2) * eye * eye) + eye * sqrt(alpha2 + (1.0 - alpha2) * cosine * cosine);
+    float masked = cosine * eye.y + eye.x * maskedOf(alpha, cosine);
     return 0.5 * cosine * alpha2 / (width * width * masked);
 }
 
 #ifdef LIT_LAYERS
 // What a layer leaves of light that is reflected below it, by what it lets through of each direction, and of all in the mean: the same when both
 // change places. A mirror has the same share both ways, which counts once; what is sent evenly counts the one over the mean, times the other. A
-// rough mirror is between, by `even`; what that lacks is spread, see below().
-float veil(float through, float eye, float mean, vec2 even)
-{
-    return through * eye * inversesqrt(max(mix(through, mean, even.x) * mix(eye, mean, even.y), 1e-8));
-}
+// rough mirror is between, by evenOf(); what that lacks is spread, see below(). Of the eye, x is its share, and y veiled() of it.
+float veil(float through, vec2 eye, float mean, float even) { return through * eye.x * inversesqrt(max(mix(through, mean, even) * eye.y, 1e-8)); }
 
-// Of the light's angle and the eye's: what grazes is spread most.
-vec2 evenOf(float rough, vec2 cosines) { return 0.86 * smoothstep(vec2(0.05), 0.35 + 0.9 * sqrt(cosines), vec2(rough)); }
+// Of an angle: what grazes is spread most.
+float evenOf(float rough, float cosine) { return 0.86 * smoothstep(0.05, 0.35 + 0.9 * sqrt(cosine), rough); }
+
+vec2 veiled(float through, float mean, float rough, float cosine) { return vec2(through, mix(through, mean, evenOf(rough, cosine))); }
 #endif
 
 #ifdef LIT_COAT

@@ -16,9 +16,10 @@ struct Lit {
     vec3 glossAgain; // of gloss: what is reflected more than once, or spread by layers
 #endif
     Gloss facets;
-    float metal, alpha, cosine, reflectance, kept;
-    TONE again, baseOfEye, meanBase;
-    float lossOfEye, meanLoss; // as it leaves, and in the mean, with what layers let through of both
+    float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() the eye
+    TONE again, baseOfEye;                                 // what comes from below to the eye, with what layers let through
+    TONE baseRatio;                                        // of all that leaves there, and is not the eye's
+    float lossRatio;                                       // the same of what facets reflect again
 #ifdef LIT_ANISOTROPY
     Anisotropy anisotropy;
 #endif
@@ -37,14 +38,16 @@ struct Lit {
     vec3 coatTint, coatNormal;
     float coatCosine; // of the eye
     Gloss coatFacets;
-    float coat, coatShine, coatAlpha, coatReflectance, coatGloss;
+    float coat, coatShine, coatAlpha, coatReflectance, coatGloss, coatMasked;
     float coatOfEye, coatMean; // what is let through: of the eye's light, in the mean
+    vec2 coatVeil;             // veiled(), of what the base reflects
     Row spread; // what a white rough mirror below lacks, by the angle
     float stray;
 #endif
 #ifdef LIT_FUZZ
     vec3 fuzzColor; // its weight in it
     float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // the same
+    vec2 fuzzVeil, fuzzCoatVeil;
     Row fuzzSpread;
 #endif
 #ifdef LIT_BEHIND
@@ -52,7 +55,8 @@ struct Lit {
 #endif
 #ifdef LIT_LAYERS
     vec3 metalBounce, dielectricBounce; // what the base reflects of light that layers send back to it
-    vec2 strayOfEye, meanStray;         // below(), of metal and of the dielectric
+    vec2 strayOfEye, strayRatio;        // below(), of metal and of the dielectric; over the mean
+    float strayMore;
 #endif
 };
 
@@ -109,6 +113,7 @@ void litCoat(Surface s, inout Lit m)
 #ifdef LIGHT_HAS_AREAS
     m.coatInto = areaFacets(m.coatFacets.rough, m.coatNormal, m.toEye);
 #endif
+    m.coatMasked = maskedOf(m.coatAlpha, m.coatCosine);
     m.coatOfEye = coatThrough(m, m.coatCosine);
     m.coatMean = 0.0;
     m.coatGloss = m.kept * (1.0 - m.coatOfEye);
@@ -170,21 +175,22 @@ vec4 below(Lit m, float cosine, float ofCoat, float loss)
 // let least through, so that a rough one lacks up to 2.75 times as much.
 vec2 strayed(Lit m, float stray, vec2 own)
 {
-    float more = 1.0 + 1.75 * smoothstep(0.15, 0.4, m.facets.rough);
-    return stray * vec2(1.0, more * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
+    return stray * vec2(1.0, m.strayMore * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
 }
 #endif
 
 // Means over all directions by Gauss' rule in the root of the cosine: of 1, and of albedo(); left, of the same times what layers let through.
-void litMeans(inout Lit m, out vec3 mean, out vec3 left)
+// meanStray: of strayed().
+void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
 {
     const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);
     mean = left = vec3(0.0);
 #ifdef LIT_FILM
     m.filmMean = m.metalFilmMean = m.filmLeft = vec3(0.0);
 #endif
+    meanStray = vec2(0.0);
 #ifdef LIT_LAYERS
-    m.meanStray = vec2(0.0);
+    m.strayMore = 1.0 + 1.75 * smoothstep(0.15, 0.4, m.facets.rough);
 #endif
     for (int i = 0; i < 6; i++) {
         float t = i < 3 ? PLACE[i] : 1.0 - PLACE[5 - i], share = 4.0 * WEIGHT[i < 3 ? i : 5 - i] * t * t * t;
@@ -197,7 +203,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
 #endif
 #ifdef LIT_LAYERS
         vec4 layers = below(m, t * t, t * t, own.y / share);
-        m.meanStray += share * strayed(m, layers.w, own.yz / share);
+        meanStray += share * strayed(m, layers.w, own.yz / share);
 #ifdef LIT_COAT
         m.coatMean += share * layers.x;
 #endif
@@ -214,9 +220,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left)
         m.filmLeft += filmed;
 #endif
     }
-#ifdef LIT_LAYERS
-    m.meanStray = max(m.meanStray, vec2(1e-6));
-#endif
+    meanStray = max(meanStray, vec2(1e-6));
 }
 
 #ifdef LIT_GRAIN
@@ -232,27 +236,14 @@ TONE comesToBase(Lit m, float cosine)
 }
 
 // What it sends of light from all around, of an even base's 1.
-vec3 litGrain(Surface s, inout Lit m)
+vec3 litGrain(Surface s, TONE meanBase, inout Lit m)
 {
-    m.grain = grainOf(clamp(s.diffuseRoughness, 0.0, 1.0), comesToBase(m, 1.0), comesToBase(m, 0.25), m.meanBase);
+    m.grain = grainOf(clamp(s.diffuseRoughness, 0.0, 1.0), comesToBase(m, 1.0), comesToBase(m, 0.25), meanBase);
     TONE lost = grainLost(m.grain, m.cosine);
     m.grainAgain = grainAgain(m.grain, m.base) * lost;
     return m.base * (1.0 - lost) + m.grainAgain * (1.0 - m.grain.all);
 }
 #endif
-
-// The share of the surface that is not there. What is let through by a dielectric does not count.
-float holesOf(Surface s)
-{
-    float holes = 0.0;
-#ifdef SURFACE_HAS_transparency
-    holes = max(s.transparency.x, max(s.transparency.y, s.transparency.z));
-#ifdef LIT_CLEAR
-    holes -= s.transmission;
-#endif
-#endif
-    return clamp(holes, 0.0, 1.0);
-}
 
 Lit surfaceLit(Surface s, vec3 toEye)
 {
@@ -307,7 +298,13 @@ Lit surfaceLit(Surface s, vec3 toEye)
     litFuzz(s, m);
 #endif
     vec3 mean, left;
-    litMeans(m, mean, left);
+    vec2 meanStray;
+    litMeans(m, mean, left, meanStray);
+#ifdef LIT_ANISOTROPY
+    m.masked = maskedAlong(m.anisotropy, toEye, m.cosine);
+#else
+    m.masked = maskedOf(m.alpha, m.cosine);
+#endif
 
     vec2 eye = baseAlbedo(m, toEye, m.cosine);
     TONE fresnel = TONE(mix(1.0 / 21.0, 1.0, m.reflectance));
@@ -315,14 +312,13 @@ Lit surfaceLit(Surface s, vec3 toEye)
     fresnel = mix(fresnel, m.filmMean, m.film.weight);
 #endif
     m.again = fresnel * fresnel * (1.0 - mean.y) / (1.0 - fresnel * mean.y);
-    m.lossOfEye = eye.x;
     m.baseOfEye = 1.0 - baseReflected(m, eye);
-    m.meanLoss = max(left.y, 1e-3); // so smooth that a second reflection is nothing
+    m.lossRatio = eye.x / max(left.y, 1e-3); // so smooth that a second reflection is nothing
     TONE reflected = TONE(mix(left.z, left.x - left.y, m.reflectance));
 #ifdef LIT_FILM
     reflected = mix(reflected, m.filmLeft, m.film.weight);
 #endif
-    m.meanBase = max(left.x - reflected - left.y * m.again, TONE(1e-4));
+    TONE meanBase = max(left.x - reflected - left.y * m.again, TONE(1e-4));
 
     m.dip = mix(vec3(0.4626641), vec3(1.0), m.base) * (1.0 - m.tint) * 17.6512; // (6/7)^5; 7 (7/6)^6
     vec3 metal = mix(vec3(1.0 / 21.0), vec3(1.0), m.base) - m.dip / 126.0;
@@ -338,7 +334,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
         ofMetal = mix(ofMetal, (1.0 - eye.x) * filmAround(m.film, eye, m.alpha, m.base) + eye.x * m.metalAgain, m.film.weight);
 #endif
 #ifdef LIT_GRAIN
-    vec3 sent = litGrain(s, m);
+    vec3 sent = litGrain(s, meanBase, m);
 #else
     vec3 sent = m.base;
 #endif
@@ -356,6 +352,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.metalBounce = m.metal * max(metal, 0.0);
     m.dielectricBounce = (1.0 - m.metal) * m.tint;
     m.strayOfEye = strayed(m, layers.w, eye);
+    m.strayRatio = m.strayOfEye / meanStray;
     m.even *= layers.z;
 #ifdef LIT_BEHIND
     m.evenBehind *= layers.z;
@@ -365,9 +362,10 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.glossAgain = m.glossAgain * layers.z + m.kept * (m.strayOfEye.x * m.metalBounce + m.strayOfEye.y * m.dielectricBounce);
 #endif
     m.emissive *= layers.z;
-    m.lossOfEye *= layers.z;
+    m.lossRatio *= layers.z;
     m.baseOfEye *= layers.z;
 #ifdef LIT_COAT
+    m.coatVeil = veiled(m.coatOfEye, m.coatMean, m.facets.rough, m.cosine);
     m.even *= m.coatTint;
 #ifdef LIT_BEHIND
     m.evenBehind *= m.coatTint;
@@ -379,9 +377,14 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
 #endif
 #ifdef LIT_FUZZ
+    m.fuzzVeil = veiled(m.fuzzOfEye, m.fuzzMean, m.facets.rough, m.cosine);
+#ifdef LIT_COAT
+    m.fuzzCoatVeil = veiled(m.fuzzOfEye, m.fuzzMean, m.coatFacets.rough, m.coatCosine);
+#endif
     m.even += m.kept * (1.0 - layers.y) / max(m.fuzz, 1e-6) * m.fuzzColor;
 #endif
 #endif
+    m.baseRatio = m.baseOfEye / meanBase;
 #ifdef LIGHT_HAS_SKY
     m.glossAgain = clamp(m.glossAgain, vec3(0.0), m.gloss);
 #endif

@@ -51,7 +51,7 @@ Lit surfaceMatt(Lit m)
 vec3 fromBehind(Lit m, vec3 l, float cosine)
 {
     vec2 own = baseAlbedo(m, l, cosine);
-    vec3 sum = m.kept * cosine * (1.0 - baseReflected(m, own)) * m.baseOfEye / m.meanBase * m.behind;
+    vec3 sum = m.kept * cosine * (1.0 - baseReflected(m, own)) * m.baseRatio * m.behind;
 #ifdef LIT_LAYERS
     sum *= below(m, cosine, coatCosineOf(m, -l, cosine), own.x).z;
 #endif
@@ -73,22 +73,23 @@ vec3 surfaceLobe(Lit m, vec3 l)
     vec3 h = between * inversesqrt(max(dot(between, between), 1e-12));
     float facing = clamp(dot(h, l), 0.0, 1.0), rest = 1.0 - facing, rest5 = rest * rest * rest * rest * rest;
 #ifdef LIT_ANISOTROPY
-    float once = facetsAlong(m.anisotropy, m.normal, l, m.toEye, vec2(cosine, m.cosine));
+    float once = facetsAlong(m.anisotropy, m.normal, l, h, cosine, vec2(m.cosine, m.masked));
 #else
-    float once = facets(m.alpha, m.normal, h, cosine, m.cosine);
+    float once = facets(m.alpha, m.normal, h, cosine, vec2(m.cosine, m.masked));
 #endif
     vec2 own = baseAlbedo(m, l, cosine);
-    float again = cosine * own.x * m.lossOfEye / m.meanLoss;
-    TONE matt = cosine * (1.0 - baseReflected(m, own)) * m.baseOfEye / m.meanBase;
+    float again = cosine * own.x * m.lossRatio;
+    TONE matt = cosine * (1.0 - baseReflected(m, own)) * m.baseRatio;
 #ifdef LIT_LAYERS
     float ofCoat = coatCosineOf(m, l, cosine);
     vec4 layers = below(m, cosine, ofCoat, own.x);
-    vec2 even = evenOf(m.facets.rough, vec2(cosine, m.cosine)), stray = cosine * strayed(m, layers.w, own) * m.strayOfEye / m.meanStray;
+    float even = evenOf(m.facets.rough, cosine);
+    vec2 stray = cosine * strayed(m, layers.w, own) * m.strayRatio;
 #ifdef LIT_COAT
-    once *= (1.0 - m.stray) * veil(layers.x, m.coatOfEye, m.coatMean, even);
+    once *= (1.0 - m.stray) * veil(layers.x, m.coatVeil, m.coatMean, even);
 #endif
 #ifdef LIT_FUZZ
-    once *= veil(layers.y, m.fuzzOfEye, m.fuzzMean, even);
+    once *= veil(layers.y, m.fuzzVeil, m.fuzzMean, even);
 #endif
     matt *= layers.z;
     again *= layers.z;
@@ -112,12 +113,12 @@ vec3 surfaceLobe(Lit m, vec3 l)
     sum += stray.x * m.metalBounce + stray.y * m.dielectricBounce;
 #endif
 #ifdef LIT_COAT
-    float shine = m.coatShine * facets(m.coatAlpha, m.coatNormal, h, ofCoat, m.coatCosine) * mix(rest5, 1.0, m.coatReflectance);
+    float shine = m.coatShine * facets(m.coatAlpha, m.coatNormal, h, ofCoat, vec2(m.coatCosine, m.coatMasked)) * mix(rest5, 1.0, m.coatReflectance);
 #ifdef LIT_COAT_NORMAL
     shine = dot(m.coatNormal, l) > 0.0 ? shine : 0.0;
 #endif
 #ifdef LIT_FUZZ
-    shine *= veil(layers.y, m.fuzzOfEye, m.fuzzMean, evenOf(m.coatFacets.rough, vec2(ofCoat, m.coatCosine)));
+    shine *= veil(layers.y, m.fuzzCoatVeil, m.fuzzMean, evenOf(m.coatFacets.rough, ofCoat));
 #endif
     sum = sum * m.coatTint + shine;
 #endif
