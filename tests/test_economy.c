@@ -84,7 +84,8 @@ static void mixed_sides_are_branches(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-#define MIX(mask) "material: Mix\nmask: " mask "\na: { material: Phong, diffuse: { map: Granite } }\nb: { material: RGBA, r: 1 }\n"
+#define MIX(mask)                                                                                                      \
+    "material: Mix\nmask: " mask "\na: { material: Phong, diffuse: { map: Granite } }\nb: { material: RGBA, r: 1 }\n"
     char *text = compile_text(MIX("{ map: Checker }"), MATC_FRAGMENT, &options);
     const char *branch = strstr(text, "if ("), *call = strstr(text, "= granite(localPosition)");
     assert_true(branch && call && branch < call);
@@ -104,13 +105,15 @@ static void mixes_of_mixes_are_asked_once(void **state)
     enum { LEVELS = 40, ROOM = 16384 };
     MatcOptions options = quick();
     char document[ROOM];
-    size_t size = (size_t)snprintf(document, sizeof document, "defs:\n  k0: { material: RGBA }\n  j0: { material: Phong, shininess: 0.7 }\n");
+    size_t size = (size_t)snprintf(document, sizeof document,
+                                   "defs:\n  k0: { material: RGBA }\n  j0: { material: Phong, shininess: 0.7 }\n");
     for (int i = 0; i < LEVELS; i++)
         size += (size_t)snprintf(document + size, sizeof document - size,
                                  "  k%d: { material: Mix, a: { ref: k%d }, b: { ref: j%d } }\n"
                                  "  j%d: { material: Mix, mask: { map: Wood }, a: { ref: k%d }, b: { ref: j%d } }\n",
                                  i + 1, i, i, i + 1, i, i);
-    snprintf(document + size, sizeof document - size, "material: Mix\na: { ref: k%d }\nb: { ref: j%d }\n", LEVELS, LEVELS);
+    snprintf(document + size, sizeof document - size, "material: Mix\na: { ref: k%d }\nb: { ref: j%d }\n", LEVELS,
+             LEVELS);
     char *text = compile_text(document, MATC_FRAGMENT, &options);
     assert_int_equal(count(text, "wood(localPosition)"), 1);
     free(text);
@@ -131,6 +134,23 @@ static void inputs_are_minimal(void **state)
     free(text);
 }
 
+/* How much of what a coat has counts, by how much of a coat there is: a Mix has that once, whichever of the coat's slots asks first, and it has the Mix's name. */
+static void a_mix_names_its_weights(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    options.layout = "integer";
+    char *text = compile_text("material: MixMaterial\nmask: { map: VolumeTurbulence }\n"
+                              "a: { material: Principled, coat: 1, coatRoughness: .1, coatIor: 1.5 }\n"
+                              "b: { material: Principled, coat: .2, coatRoughness: .3, coatIor: 1.7 }\n",
+                              MATC_FRAGMENT, &options);
+    assert_int_equal(count(text, "float MixMaterial = "), 1);
+    assert_true(count(text, ", MixMaterial)") >= 2);
+    assert_null(strstr(text, "coatRoughness_1"));
+    assert_null(strstr(text, "coatReflectance_1"));
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -141,6 +161,7 @@ int main(void)
         cmocka_unit_test(mixed_sides_are_branches),
         cmocka_unit_test(mixes_of_mixes_are_asked_once),
         cmocka_unit_test(inputs_are_minimal),
+        cmocka_unit_test(a_mix_names_its_weights),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -95,10 +95,16 @@ static Ref weighed(Lower *l, const Node *m, Slot by, Ref t, const Env *env)
     if (a == b)
         return t;
     const bool alone = ir_is_number(ir, a, 0);
+    const uint32_t origin = ir->origin;
+    ir->origin = ir_origin(ir, m); /* it is the Mix's, whichever slot asks first */
     a = build_mul(ir, build_sub(ir, one, t), a);
     b = build_mul(ir, t, b);
     Ref sum = alone ? b : build_add(ir, a, b);
-    return build_select(ir, build_lt(ir, least, sum), alone ? one : build_div(ir, b, build_max(ir, sum, least)), t);
+    Ref share =
+        build_select(ir, build_lt(ir, least, sum), alone ? one : build_div(ir, b, build_max(ir, sum, least)), t);
+    lower_mark_head(ir, share, ir->origin);
+    ir->origin = origin;
+    return share;
 }
 
 /* A slot that is of no account without another one. */
