@@ -13,7 +13,13 @@
 // as its last leaf. There are as many as leaves, but one. So each triangle that was bisected has its deviation in the last leaf of its child 0, and nobody else's in the same place:
 //
 //     1 is bisected, then 2: leaves 4, 5, 3 keep their own and 2's, 1's, none's. If 4 and 5 become 2, that has 2's, as its own, from 4, and keeps 1's, from 5
+#ifdef BISECT_FEW
+const uint BISECT_THREADS = 512u;
+layout(local_size_x = 512) in;
+#else
+const uint BISECT_THREADS = 64u;
 layout(local_size_x = 64) in;
+#endif
 
 // Of a base BISECT_BASE words: which corner is its a, and which of its edges run from the later place to the earlier one; by edge where its word is, which says where its members begin, as the
 // next word does where they end; corners and their normals in the world. A member is 4 base + edge. Edge k is opposite corner k.
@@ -33,6 +39,9 @@ layout(std430, binding = 3) coherent buffer BisectWork {
     uint bisect_work[];
 };
 // Corners of leaves, displaced: rows of MeshCaptured, three for each.
+#ifdef BISECT_FEW
+coherent
+#endif
 layout(std430, binding = 4) buffer BisectRows {
     float bisect_rows[];
 };
@@ -49,23 +58,47 @@ const int BISECT_WHOLE = 65536; // weights of a corner sum up to so many
 const uint HIGH = 0u, FREE = 1u, WANTED = 2u, WANTED_NEXT = 3u, MERGING = 4u, MERGING_NEXT = 5u, CHOSEN = 6u, FULL = 7u, SPLITS = 8u, MERGES = 9u,
            SWAPPED = 10u, MERGED_ALL = 11u, LOST = 12u, MERGE_ROUNDS = 13u, SPLIT_ROUNDS = 14u, DONE = 15u, GROUPS = 16u, GROUPS_CHOSEN = 20u, LIGHTS = 24u,
            LOOKED = 25u, LIGHT = 28u, BOX = 92u, EXTENT = 98u;
+// Words of the head up to these; one group that does all rounds has them for itself.
+const uint BISECT_COUNTS = 28u;
+#ifdef BISECT_FEW
+shared uint bisect_head[BISECT_COUNTS];
+#else
+#define bisect_head bisect_work
+#endif
 // Lists; the last but of one word for each BISECT_TILE places: how far the camera will have gone when these have to be looked at, as a float, which is not negative.
 const uint LIST_FREE = 0u, LIST_FLAGS = 1u, LIST_CHOSEN = 2u, LIST_WANTED = 3u, LIST_MERGING = 5u, LIST_DUE = 7u;
-const uint BISECT_TILE = 16u;
-// Threads of one that is bisected: nine, a height each, since rounds of few wait for the slowest; one where a driver has no more threads than cores. And how many a group bisects.
-#ifdef BISECT_WIDE
-const uint BISECT_LANES = 9u;
+const uint BISECT_TILE = 16u, BISECT_LOOK_TILES = 16u; // of a leaf; of a group that looks
+// How many leaves a group bisects at once. Each has nine heights at least, for a thread each where a device has many.
+#ifdef BISECT_FEW
+const uint BISECT_SPLITS = 128u;
+#elif defined(BISECT_WIDE)
+const uint BISECT_SPLITS = BISECT_THREADS / 9u;
 #else
-const uint BISECT_LANES = 1u;
+const uint BISECT_SPLITS = BISECT_THREADS;
 #endif
-const uint BISECT_SPLITS = 64u / BISECT_LANES;
 // Flags of a leaf: its parent need not be bisected, it was chosen in this round, it is to be bisected, it is in the list of those that are asked next. They stay from view to view.
 const uint FLAG_LESS = 1u, FLAG_CHOSEN = 2u, FLAG_WANTED = 4u, FLAG_ASKED = 8u;
+
+// Others see what this thread has written before what it writes next: all, or those of its group, where there is one alone, and for which a device waits less.
+void bisectFence()
+{
+#ifdef BISECT_FEW
+    groupMemoryBarrier();
+#else
+    memoryBarrierBuffer();
+    memoryBarrierShared();
+#endif
+}
 
 // What a thread has to do, of tasks for groups.
 uint bisectTask(uint group)
 {
-    return 64u * group + gl_LocalInvocationIndex;
+#ifdef BISECT_FEW // those of neighbouring tasks run beside each other: on a device 32 neighbouring threads go one way after the other
+    const uint STEP = BISECT_THREADS / 32u;
+    return BISECT_THREADS * group + gl_LocalInvocationIndex % 32u * STEP + gl_LocalInvocationIndex / 32u;
+#else
+    return BISECT_THREADS * group + gl_LocalInvocationIndex;
+#endif
 }
 
 uint bisectWord(uint list, uint i)
@@ -119,11 +152,26 @@ void bisectPut(uint slot, Leaf l)
     uint block = bisectBlock(slot), low = block + (slot & 3u);
     if (had.y != id.y) {
         bisect_leaves[low] = BISECT_NONE;
-        memoryBarrierBuffer();
+        bisectFence();
         bisectPutBits(block + 4u, 8u * (slot & 3u), 255u, id.y);
-        memoryBarrierBuffer();
+        bisectFence();
     }
     bisectPutBits(block + 5u + (slot >> 1 & 1u), 16u * (slot & 1u), 65535u, l.own | l.behind << 8);
+    bisect_leaves[low] = id.x;
+}
+
+// The same, of a leaf that is known: a device waits for what it reads.
+void bisectReplace(uint slot, Leaf had, Leaf l)
+{
+    uvec2 id = bisectId(l.base, l.number);
+    uint block = bisectBlock(slot), low = block + (slot & 3u), high = bisectId(had.base, had.number).y ^ id.y;
+    if (high != 0u) {
+        bisect_leaves[low] = BISECT_NONE;
+        bisectFence();
+        atomicXor(bisect_leaves[block + 4u], high << 8u * (slot & 3u));
+        bisectFence();
+    }
+    atomicXor(bisect_leaves[block + 5u + (slot >> 1 & 1u)], ((had.own ^ l.own) | (had.behind ^ l.behind) << 8) << 16u * (slot & 1u));
     bisect_leaves[low] = id.x;
 }
 
@@ -169,6 +217,21 @@ uint bisectFind(uint base, uint number)
     }
 }
 
+// Where both children of a triangle are. What is read for one is not waited for before the other is asked for, as long as the first entries are theirs.
+uvec2 bisectFindChildren(uint base, uint number)
+{
+    uvec2 first = bisectId(base, 2u * number), second = bisectId(base, 2u * number + 1u);
+    uint most = (1u << bisect_tableBits) - 1u;
+    uvec2 entry = uvec2(bisect_table[bisectHash(first) & most], bisect_table[bisectHash(second) & most]);
+    uvec2 slot = min((entry & 0xFFFFFFu) - 1u, uvec2(bisect_room - 1)), there = entry >> 24;
+    bool has_first = bisectIdAt(slot.x) == first, has_second = bisectIdAt(slot.y) == second;
+    if (there.x != uint(bisect_stamp) || !has_first)
+        slot.x = bisectFind(base, 2u * number);
+    if (there.y != uint(bisect_stamp) || !has_second)
+        slot.y = bisectFind(base, 2u * number + 1u);
+    return slot;
+}
+
 // -- corners, by their weights in the base
 
 struct Corners {
@@ -191,7 +254,7 @@ Corners bisectCorners(uint base, uint number)
     Corners t = Corners(bisectUnit(first), bisectUnit(first + 1u), bisectUnit(first + 2u));
     for (int bit = findMSB(number) - 1; bit >= 0; bit--) {
         bool second = (number >> bit & 1u) != 0u;
-        t = Corners(second ? t.b : t.c, second ? t.c : t.a, (t.a + t.b) / 2);
+        t = Corners(second ? t.b : t.c, second ? t.c : t.a, t.a + t.b >> 1);
     }
     return t;
 }

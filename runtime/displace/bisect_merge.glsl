@@ -1,51 +1,55 @@
 // Leaves become their parents: all that have one middle of an edge as their newest corner, if none of these has other leaves, or has to be bisected. First stage: who can, of those that may.
-#ifdef BISECT_CHOOSE
 // Both children of it are leaves, and it need not be bisected.
-bool bisectMay(uint base, uint number)
+bool bisectMay(uint base, uint number, out uvec2 children)
 {
-    uint first = bisectFind(base, 2u * number);
-    return first != BISECT_NONE && (bisect_work[bisectWord(LIST_FLAGS, first)] & FLAG_LESS) != 0u &&
-           bisectFind(base, 2u * number + 1u) != BISECT_NONE;
+    children = bisectFindChildren(base, number);
+    return children.x != BISECT_NONE && children.y != BISECT_NONE && (bisect_work[bisectWord(LIST_FLAGS, children.x)] & FLAG_LESS) != 0u;
 }
 
-// Once, whoever says so.
-void bisectTake(uint slot)
+// Once, whoever says so. Where the second child is stands in a list that is empty until something is bisected.
+void bisectTake(uvec2 children)
 {
-    if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, slot)], FLAG_CHOSEN) & FLAG_CHOSEN) == 0u)
-        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_work[CHOSEN], 1u))] = slot;
+    if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, children.x)], FLAG_CHOSEN) & FLAG_CHOSEN) != 0u)
+        return;
+    uint i = atomicAdd(bisect_head[CHOSEN], 1u);
+    bisect_work[bisectWord(LIST_CHOSEN, i)] = children.x;
+    bisect_work[bisectWord(LIST_WANTED + 1u, i)] = children.y;
 }
 
 // Who cannot leaves the list. It is asked again when another of its ring has become a leaf, and else never.
-void bisectStage(uint group)
+void bisectMergeChoose(uint group)
 {
-    uint i = bisectTask(group), swapped = bisect_work[SWAPPED];
-    if (i >= bisect_work[MERGING])
+    uint i = bisectTask(group), swapped = bisect_head[SWAPPED];
+    if (i >= bisect_head[MERGING])
         return;
     uint slot = bisect_work[bisectWord(LIST_MERGING + swapped, i)];
     Leaf leaf = bisectLeaf(slot);
     uint number = leaf.number >> 1;
+    uvec2 own, children;
     Ring ring = bisectRing(leaf.base, number, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
-    bool may = bisectMay(leaf.base, number);
+    bool may = bisectMay(leaf.base, number, own);
     for (uint n = 0u; n < ring.count && may; n++) {
         uint base = leaf.base, other;
         bisectMember(ring, n, base, other);
-        may = bisectMay(base, other);
+        may = bisectMay(base, other, children);
     }
     atomicAnd(bisect_work[bisectWord(LIST_FLAGS, slot)], ~FLAG_ASKED);
     if (!may)
         return;
-    bisectTake(slot);
-    for (uint n = 0u; n < ring.count; n++) { // who has waited is in no list
+    bisectTake(own);
+    if (ring.count == 1u)
+        bisectTake(children); // who has waited is in no list
+    for (uint n = 0u; n < ring.count && ring.count != 1u; n++) {
         uint base = leaf.base, other;
         bisectMember(ring, n, base, other);
-        bisectTake(bisectFind(base, 2u * other));
+        bisectTake(bisectFindChildren(base, other));
     }
 }
-#else
+
 // Second stage, of each that can: its first child's place is its own from now on, and its second child's is free.
 void bisectAsk(uint slot)
 {
-    bisect_work[bisectWord(LIST_MERGING + 1u - bisect_work[SWAPPED], atomicAdd(bisect_work[MERGING_NEXT], 1u))] = slot;
+    bisect_work[bisectWord(LIST_MERGING + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[MERGING_NEXT], 1u))] = slot;
 }
 
 // That triangle's first child, where it is a leaf that waits for others, is asked next; once, whoever says so.
@@ -58,35 +62,41 @@ void bisectAskAgain(uint base, uint number)
         bisectAsk(first);
 }
 
-void bisectStage(uint group)
+// (c, a, m) and (b, c, m) to (a, b, c), and a place that has no area. All is read first: one after the other would wait for each.
+void bisectMergeRows(uint at, uint from)
+{
+    float rows[3u * BISECT_ROW];
+    for (uint k = 0u; k < BISECT_ROW; k++) {
+        rows[k] = bisect_rows[at + BISECT_ROW + k];
+        rows[BISECT_ROW + k] = bisect_rows[from + k];
+        rows[2u * BISECT_ROW + k] = bisect_rows[at + k];
+    }
+    for (uint k = 0u; k < 3u * BISECT_ROW; k++)
+        bisect_rows[at + k] = rows[k];
+    for (uint k = 0u; k < 3u; k++)
+        bisect_rows[from + BISECT_ROW + k] = bisect_rows[from + 2u * BISECT_ROW + k] = rows[BISECT_ROW + k];
+}
+
+void bisectMerge(uint group)
 {
     uint i = bisectTask(group);
-    if (i >= bisect_work[CHOSEN])
+    if (i >= bisect_head[CHOSEN])
         return;
-    uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)];
-    Leaf leaf = bisectLeaf(slot);
-    uint other = bisectFind(leaf.base, leaf.number + 1u);
-    leaf = Leaf(leaf.base, leaf.number >> 1, leaf.behind, bisectLeaf(other).behind);
-    for (uint k = 0u; k < BISECT_ROW; k++) { // (c, a, m) and (b, c, m) to (a, b, c)
-        uint at = 3u * BISECT_ROW * slot + k, from = 3u * BISECT_ROW * other + k;
-        float c = bisect_rows[at];
-        bisect_rows[at] = bisect_rows[at + BISECT_ROW];
-        bisect_rows[at + BISECT_ROW] = bisect_rows[from];
-        bisect_rows[at + 2u * BISECT_ROW] = c;
-        bisect_rows[from + BISECT_ROW] = bisect_rows[from + 2u * BISECT_ROW] = bisect_rows[from]; // it has no area
-    }
+    uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)], other = bisect_work[bisectWord(LIST_WANTED + 1u, i)];
+    Leaf first = bisectLeaf(slot), second = bisectLeaf(other), leaf = Leaf(first.base, first.number >> 1, first.behind, second.behind);
+    bisectMergeRows(3u * BISECT_ROW * slot, 3u * BISECT_ROW * other);
     Corners t = bisectCorners(leaf.base, leaf.number), parent = bisectParent(leaf.number, t);
     BisectBase at = bisectBase(leaf.base);
     bool even = (leaf.number & 1u) == 0u;
     float wants = even ? bisectWants(at, leaf.base, leaf.number >> 1, parent, leaf.behind) : BISECT_SURE;
     bool less = wants <= 0.0;
     bisectDue(slot, min(abs(bisectWants(at, leaf.base, leaf.number, t, leaf.own)), abs(wants)));
-    bisectPut(slot, leaf);
-    bisectPut(other, Leaf(0u, 0u, 0u, 0u));
+    bisectReplace(slot, first, leaf);
+    bisectReplace(other, second, Leaf(0u, 0u, 0u, 0u));
     bisect_work[bisectWord(LIST_FLAGS, slot)] = less ? FLAG_LESS | FLAG_ASKED : 0u;
     bisect_work[bisectWord(LIST_FLAGS, other)] = 0u;
-    bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_work[FREE], 1u))] = other;
-    memoryBarrierBuffer(); // who finds it has its flags
+    bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_head[FREE], 1u))] = other;
+    bisectFence(); // who finds it has its flags
     bisectInsert(bisectId(leaf.base, leaf.number), slot);
     if (less)
         bisectAsk(slot);
@@ -100,4 +110,3 @@ void bisectStage(uint group)
         bisectAskAgain(base, number);
     }
 }
-#endif

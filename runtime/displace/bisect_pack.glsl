@@ -1,21 +1,21 @@
 // Leaves that lie behind as many places as there are leaves go to free ones before that. First stage: which of these there are.
 void main()
 {
-    uint i = gl_GlobalInvocationID.x, live = bisect_work[HIGH] - bisect_work[FREE];
+    uint i = gl_GlobalInvocationID.x, live = bisect_head[HIGH] - bisect_head[FREE];
 #ifdef BISECT_CHOOSE
-    if (i >= bisect_work[FREE])
+    if (i >= bisect_head[FREE])
         return;
     uint place = bisect_work[bisectWord(LIST_FREE, i)];
     if (place < live)
-        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_work[CHOSEN], 1u))] = place;
+        bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_head[CHOSEN], 1u))] = place;
 #else
     uint from = live + i;
-    if (from >= bisect_work[HIGH])
+    if (from >= bisect_head[HIGH])
         return;
     Leaf leaf = bisectLeaf(from);
     if (leaf.number == 0u)
         return;
-    uint slot = bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_work[MERGING_NEXT], 1u))];
+    uint slot = bisect_work[bisectWord(LIST_CHOSEN, atomicAdd(bisect_head[MERGING_NEXT], 1u))];
     for (uint k = 0u; k < 3u * BISECT_ROW; k++)
         bisect_rows[3u * BISECT_ROW * slot + k] = bisect_rows[3u * BISECT_ROW * from + k];
     bisectPut(slot, leaf);

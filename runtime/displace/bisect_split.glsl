@@ -127,11 +127,11 @@ void main()
     if (bisect_level >= 0) {
         uint number = base & (1u << bisect_level) - 1u | 1u << bisect_level;
         base >>= bisect_level;
-        if (base < bisect_work[HIGH])
+        if (base < bisect_head[HIGH])
             bisectFindRange(base, number);
         return;
     }
-    if (base >= bisect_work[HIGH])
+    if (base >= bisect_head[HIGH])
         return;
     Corners t = bisectCorners(base, 1u);
     mat3 p;
@@ -161,108 +161,195 @@ void bisectMade(BisectBase base, uint slot, Leaf leaf, Corners t, float parent)
     bisectInsert(bisectId(leaf.base, leaf.number), slot);
     bisectDue(slot, min(abs(own), abs(parent)));
     if (own > 0.0)
-        bisect_work[bisectWord(LIST_WANTED + 1u - bisect_work[SWAPPED], atomicAdd(bisect_work[WANTED_NEXT], 1u))] = slot;
+        bisect_work[bisectWord(LIST_WANTED + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[WANTED_NEXT], 1u))] = slot;
 }
 
-// Points of one that is bisected: the middle, four in each child, and its corners as they were.
-const uint SPLIT_MIDDLE = 0u, SPLIT_ASKED = 1u, SPLIT_CORNERS = 9u, SPLIT_POINTS = 12u;
-shared vec3 split_points[SPLIT_POINTS * BISECT_SPLITS];
-shared float split_worst[2u * BISECT_SPLITS]; // of children that count as their worst part
-shared uint split_places[BISECT_SPLITS];
+// Of those that a group bisects: where they and their second children are, which they are, their corners, where these and the middle go to; and of each child the worst part's mean square, as a word: floats
+// that are not negative have the order of their words.
+struct Split {
+    uint slot, place, base;
+    int deeper; // parts of a child are so much deeper than it
+    Corners t;
+    vec3 corners[3], middle;
+    uint worst[2];
+};
+shared Split splits[BISECT_SPLITS];
+shared uint split_first[BISECT_SPLITS + 1u]; // of all that are asked of these, which is its first
+shared float split_squares[BISECT_THREADS];
 
 Corners bisectChild(Corners t, uint child)
 {
     return Corners(child == 0u ? t.c : t.b, child == 0u ? t.a : t.c, (t.a + t.b) / 2);
 }
 
-mat3 bisectChildPoints(uint at, uint child)
+mat3 bisectChildPoints(uint local, uint child)
 {
-    return mat3(split_points[at + SPLIT_CORNERS + 2u - child], split_points[at + SPLIT_CORNERS + 2u * child], split_points[at + SPLIT_MIDDLE]);
+    return mat3(splits[local].corners[2u - child], splits[local].corners[2u * child], splits[local].middle);
 }
 
-// (a, b, c) becomes (c, a, m) and (b, c, m): rows of all but m, and the corners' points.
-void bisectCopyRows(uint slot, uint place, uint points)
+void bisectPrepare(uint local, uint slot)
 {
-    uint first = bisectRow(slot, 0u), second = bisectRow(place, 0u);
+    Leaf leaf = bisectLeaf(slot);
+    uint free = atomicAdd(bisect_head[FREE], 0xFFFFFFFFu);
+    splits[local].slot = slot;
+    splits[local].place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)] : atomicAdd(bisect_head[HIGH], 1u);
+    splits[local].base = leaf.base;
+    splits[local].deeper = bisectDeeper(2u * leaf.number);
+    splits[local].t = bisectCorners(leaf.base, leaf.number);
+    splits[local].worst[0] = splits[local].worst[1] = 0u;
     for (uint k = 0u; k < 3u; k++)
-        split_points[points + SPLIT_CORNERS + k] = bisectWorld(first + k * BISECT_ROW);
-    for (uint k = 0u; k < BISECT_ROW; k++) {
-        float x = bisect_rows[first + k], y = bisect_rows[first + BISECT_ROW + k], z = bisect_rows[first + 2u * BISECT_ROW + k];
-        bisect_rows[first + k] = bisect_rows[second + BISECT_ROW + k] = z;
-        bisect_rows[first + BISECT_ROW + k] = x;
-        bisect_rows[second + k] = y;
-    }
+        splits[local].corners[k] = bisectWorld(bisectRow(slot, k));
 }
 
-// Displaces points of it: the middle, whose rows are written, and what both children are asked at. Where these count as their worst parts, one thread asks all of them.
-void bisectDisplace(uint lane, uint at, uint slot, uint place, Leaf leaf, Corners t)
+// (a, b, c) becomes (c, a, m) and (b, c, m): one column of the rows of all but m.
+void bisectCopyRows(uint local, uint k)
 {
-    int deeper = bisectDeeper(2u * leaf.number);
-    uint parts = 1u << deeper, count = deeper == 0 ? SPLIT_CORNERS : lane == 0u ? 1u + 8u * parts : 0u;
-    float sum = 0.0, most = 0.0;
-    for (uint point = lane; point < count; point += deeper == 0 ? BISECT_LANES : 1u) { // a driver has the height but once
-        uint asked = point - 1u, child = asked / (4u * parts);
-        vec3 inside = bisectPartOf(asked / 4u % parts | parts, deeper) * bisect_asked[asked % 4u];
-        vec3 moved = bisectMoved(leaf.base, point == 0u ? bisectWeights((t.a + t.b) / 2) : bisectWeightsOf(bisectChild(t, child)) * inside);
-        if (point == 0u) {
-            bisectPutDisplaced(bisectRow(slot, 2u));
-            bisectPutDisplaced(bisectRow(place, 2u));
-        }
-        if (point == 0u || deeper == 0) {
-            split_points[at + point] = moved;
-            continue;
-        }
-        sum = asked % 4u == 0u ? 0.0 : sum;
-        sum += bisectSquare(moved, inside, bisectChildPoints(at, child));
-        most = asked % (4u * parts) < 4u ? 0.0 : most;
-        most = max(most, asked % 4u == 3u ? sum / 4.0 : 0.0);
-        split_worst[at / SPLIT_POINTS * 2u + child] = most;
-    }
+    uint first = bisectRow(splits[local].slot, 0u) + k, second = bisectRow(splits[local].place, 0u) + k;
+    float x = bisect_rows[first], y = bisect_rows[first + BISECT_ROW], z = bisect_rows[first + 2u * BISECT_ROW];
+    bisect_rows[first] = bisect_rows[second + BISECT_ROW] = z;
+    bisect_rows[first + BISECT_ROW] = x;
+    bisect_rows[second] = y;
 }
 
-void bisectMakeChild(uint child, uint at, uint slot, Leaf leaf, Corners t)
+// Where one goes to: the middle, whose rows are written, or one of those that its children are asked at, four of each part of each child; `within` is where it lies in its child.
+vec3 bisectPoint(uint local, bool middle, uint at, out vec3 within)
 {
-    uint number = 2u * leaf.number + child;
-    mat3 p = bisectChildPoints(at, child);
-    float square = 0.0;
-    for (int i = 0; i < 4; i++)
-        square += bisectSquare(split_points[at + SPLIT_ASKED + 4u * child + uint(i)], bisect_asked[i], p) / 4.0;
-    if (bisectDeeper(number) > 0)
-        square = split_worst[at / SPLIT_POINTS * 2u + child];
+    int deeper = splits[local].deeper;
+    uint part = at >> 2 & (1u << deeper) - 1u | 1u << deeper;
+    within = bisectPartOf(part, deeper) * bisect_asked[at & 3u];
+    vec3 moved = bisectMoved(splits[local].base, middle ? bisectWeights(splits[local].t.a + splits[local].t.b >> 1)
+                                                        : bisectWeightsOf(bisectChild(splits[local].t, at >> 2 + deeper)) * within);
+    if (middle) {
+        splits[local].middle = moved;
+        bisectPutDisplaced(bisectRow(splits[local].slot, 2u));
+        bisectPutDisplaced(bisectRow(splits[local].place, 2u));
+    }
+    return moved;
+}
+
+float bisectPointSquare(uint local, uint at, vec3 moved, vec3 within)
+{
+    return bisectSquare(moved, within, bisectChildPoints(local, at >> 2 + splits[local].deeper));
+}
+
+void bisectWorst(uint local, uint at, float sum)
+{
+    atomicMax(splits[local].worst[at >> 2 + splits[local].deeper], floatBitsToUint(sum / 4.0));
+}
+
+void bisectMakeChild(uint local, uint child, Leaf leaf)
+{
+    Corners t = splits[local].t;
     BisectBase base = bisectBase(leaf.base);
+    uint number = 2u * leaf.number + child;
     float wants = child == 0u ? bisectWants(base, leaf.base, leaf.number, t, leaf.own) : BISECT_SURE; // or one of its ring does
-    Leaf made = Leaf(leaf.base, number, min(leaf.own, bisectError(number, square)), child == 0u ? leaf.own : leaf.behind);
-    bisectMade(base, slot, made, bisectChild(t, child), wants);
+    Leaf made = Leaf(leaf.base, number, min(leaf.own, bisectError(number, uintBitsToFloat(splits[local].worst[child]))),
+                     child == 0u ? leaf.own : leaf.behind);
+    bisectMade(base, child == 0u ? splits[local].slot : splits[local].place, made, bisectChild(t, child), wants);
 }
 
-void bisectStage(uint group)
+#ifdef BISECT_WIDE
+// Threads of a group wait for each other.
+void bisectTurn()
 {
-    uint lane = gl_LocalInvocationIndex % BISECT_LANES, local = gl_LocalInvocationIndex / BISECT_LANES, i = BISECT_SPLITS * group + local,
-         at = SPLIT_POINTS * local, slot = 0u, place = 0u;
-#ifdef BISECT_WIDE
-    barrier(); // those that the group bisected before are made
-#endif
-    bool there = local < BISECT_SPLITS && i < bisect_work[CHOSEN] && bisect_work[FULL] == 0u;
-    Leaf leaf;
-    Corners t;
-    if (there) {
-        slot = bisect_work[bisectWord(LIST_CHOSEN, i)];
-        leaf = bisectLeaf(slot);
-        t = bisectCorners(leaf.base, leaf.number);
-        if (lane == 0u) {
-            uint free = atomicAdd(bisect_work[FREE], 0xFFFFFFFFu);
-            place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)] : atomicAdd(bisect_work[HIGH], 1u);
-            split_places[local] = place;
-            bisectCopyRows(slot, place, at);
-        }
-        bisectDisplace(lane, at, slot, place, leaf, t);
-    }
-#ifdef BISECT_WIDE
-    memoryBarrierShared();
+    bisectFence();
     barrier();
-#endif
-    if (there)
-        for (uint child = lane; child < 2u; child += BISECT_LANES)
-            bisectMakeChild(child, at, child == 0u ? slot : split_places[local], leaf, t);
 }
+
+// Which of them a task is of.
+uint bisectOf(uint task, uint count)
+{
+    uint low = 0u, high = count;
+    while (high - low > 1u) {
+        uint between = (low + high) / 2u;
+        if (split_first[between] <= task)
+            low = between;
+        else
+            high = between;
+    }
+    return low;
+}
+
+// All points that are asked for are tasks, whoever's they are: middles first, then, from a multiple of four on, what children are asked at. A driver has the height but once.
+void bisectDisplace(uint count)
+{
+    uint asked = count + 3u & ~3u, tasks = asked + split_first[count];
+    for (uint turn = 0u; turn < tasks; turn += BISECT_THREADS) {
+        uint task = turn + gl_LocalInvocationIndex;
+        bool middle = task < count, inside = task >= asked && task < tasks;
+        uint local = middle ? task : inside ? bisectOf(task - asked, count) : 0u, at = inside ? task - asked - split_first[local] : 0u;
+        vec3 within = vec3(0.0), moved = vec3(0.0);
+        if (middle || inside)
+            moved = bisectPoint(local, middle, at, within);
+        bisectTurn();
+        split_squares[gl_LocalInvocationIndex] = bisectPointSquare(local, at, moved, within);
+        bisectTurn();
+        if (inside && (at & 3u) == 0u) {
+            float sum = 0.0;
+            for (uint i = 0u; i < 4u; i++)
+                sum += split_squares[gl_LocalInvocationIndex + i];
+            bisectWorst(local, at, sum);
+        }
+    }
+}
+
+// Both children of each, by a thread of their own; what both read of the leaf is read before the first one takes its place.
+void bisectMakeChildren(uint count)
+{
+    for (uint turn = 0u; turn < 2u * count; turn += BISECT_THREADS) {
+        uint task = turn + bisectTask(0u), local = task / 2u;
+        Leaf leaf = Leaf(0u, 0u, 0u, 0u);
+        if (task < 2u * count)
+            leaf = bisectLeaf(splits[local].slot);
+        bisectTurn();
+        if (task < 2u * count)
+            bisectMakeChild(local, task % 2u, leaf);
+    }
+}
+
+void bisectSplit(uint group)
+{
+    uint first = BISECT_SPLITS * group, all = bisect_head[FULL] != 0u ? 0u : bisect_head[CHOSEN], count = min(max(all, first) - first, BISECT_SPLITS);
+    if (bisectTask(0u) < count)
+        bisectPrepare(bisectTask(0u), bisect_work[bisectWord(LIST_CHOSEN, first + bisectTask(0u))]);
+    bisectTurn();
+    for (uint i = gl_LocalInvocationIndex; i <= count; i += BISECT_THREADS) {
+        split_first[i] = 0u;
+        for (uint before = 0u; before < i; before++)
+            split_first[i] += 8u << splits[before].deeper;
+    }
+    for (uint i = gl_LocalInvocationIndex; i < BISECT_ROW * count; i += BISECT_THREADS)
+        bisectCopyRows(i / BISECT_ROW, i % BISECT_ROW);
+    bisectTurn();
+    bisectDisplace(count);
+    bisectTurn();
+    bisectMakeChildren(count);
+    bisectTurn(); // others are bisected next
+}
+#else
+// A thread has each to itself: where threads run one behind the other, to deal them out is no gain, and they would wait for each other.
+void bisectSplit(uint group)
+{
+    uint i = bisectTask(group), local = gl_LocalInvocationIndex;
+    if (i >= bisect_head[CHOSEN] || bisect_head[FULL] != 0u)
+        return;
+    uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)];
+    Leaf leaf = bisectLeaf(slot);
+    bisectPrepare(local, slot);
+    for (uint k = 0u; k < BISECT_ROW; k++)
+        bisectCopyRows(local, k);
+    float sum = 0.0;
+    for (uint point = 0u; point <= 8u << splits[local].deeper; point++) {
+        vec3 within;
+        uint at = point == 0u ? 0u : point - 1u;
+        vec3 moved = bisectPoint(local, point == 0u, at, within);
+        sum = (at & 3u) == 0u ? 0.0 : sum;
+        sum += point == 0u ? 0.0 : bisectPointSquare(local, at, moved, within);
+        if (point != 0u && (at & 3u) == 3u)
+            bisectWorst(local, at, sum);
+    }
+    for (uint child = 0u; child < 2u; child++)
+        bisectMakeChild(local, child, leaf);
+}
+#endif
 #endif

@@ -45,6 +45,7 @@ typedef enum {
     BISECTION_PACK_CHOOSE,
     BISECTION_PACK,
     BISECTION_BEGIN,
+    BISECTION_FEW,
     BISECTION_STAGES
 } BisectionStage;
 

@@ -1,11 +1,12 @@
 /* Programs and buffers of bisection, and the room that these have. */
 #include "runtime/displace/bisection.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 extern const char render_text_displace_point[], render_text_bisect[], render_text_bisect_see[],
     render_text_bisect_scan[], render_text_bisect_look[], render_text_bisect_merge[], render_text_bisect_choose[],
-    render_text_bisect_split[], render_text_bisect_next[], render_text_bisect_pack[];
+    render_text_bisect_split[], render_text_bisect_next[], render_text_bisect_pack[], render_text_bisect_few[];
 
 enum {
     CORNER_BYTES = 3 * sizeof(MeshCaptured),
@@ -45,34 +46,70 @@ static const char *lights_of(const Scene *scene)
     return casts ? "#define BISECT_LIGHTS\n" : "\n";
 }
 
-static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisection *b)
+/* What stages follow each other by, what they see, and what they do. */
+typedef struct {
+    const char *define, *text[2];
+    bool alone; /* nothing follows it */
+} Stage;
+
+static bool make_moving(const DisplacedMaking *making, const char *define, const ProgramText *rest, Material *made)
 {
     static const char point[] = "#define DISPLACE_POINT\n#define DISPLACE_OUT\n";
-    static const struct {
-        const char *define, *text;
-        bool alone; /* nothing follows it */
-    } stages[] = {
-        [BISECTION_SCAN] = {"#define BISECT_STEP 5\n", render_text_bisect_scan, false},
-        [BISECTION_LOOK] = {"#define BISECT_STEP 0\n", render_text_bisect_look, false},
-        [BISECTION_MERGE_CHOOSE] = {"#define BISECT_CHOOSE\n#define BISECT_STEP 1\n", render_text_bisect_merge, false},
-        [BISECTION_MERGE] = {"#define BISECT_STEP 2\n", render_text_bisect_merge, false},
-        [BISECTION_CHOOSE] = {"#define BISECT_STEP 3\n", render_text_bisect_choose, false},
-        [BISECTION_PACK_CHOOSE] = {"#define BISECT_CHOOSE\n", render_text_bisect_pack, true},
-        [BISECTION_PACK] = {"\n", render_text_bisect_pack, true},
+    ProgramText text = {.compute = {displaced_version, define, point, making->displace, render_text_displace_point}};
+    int at = 0, from = 0;
+    while (text.compute[at])
+        at++;
+    while (rest->compute[from])
+        text.compute[at++] = rest->compute[from++];
+    return displaced_program(making, &text, made);
+}
+
+/* Those that displace points. */
+static bool make_moving_stages(const DisplacedMaking *making, const char *defines, Displaced *made)
+{
+    Bisection *b = made->own;
+    const bool wide = store_context(making->store)->hardware;
+    static const char step[] = "#define BISECT_STEP 4\n#define BISECT_STAGE bisectSplit\n";
+    const ProgramText split = {.compute = {step, render_text_bisect, render_text_bisect_see, render_text_bisect_split,
+                                           render_text_bisect_next}},
+                      few = {.compute = {"#define BISECT_FEW\n", render_text_bisect, render_text_bisect_see,
+                                         render_text_bisect_merge, render_text_bisect_choose, render_text_bisect_split,
+                                         render_text_bisect_next, render_text_bisect_few}},
+                      begin = {.compute = {render_text_bisect, render_text_bisect_see, render_text_bisect_split}};
+    return make_moving(making, defines, &split, &made->material) &&
+           (!wide || make_moving(making, defines, &few, &b->stages[BISECTION_FEW])) &&
+           make_moving(making, "#define BISECT_BEGIN\n", &begin, &b->stages[BISECTION_BEGIN]);
+}
+
+static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisection *b)
+{
+    static const Stage stages[] = {
+        [BISECTION_SCAN] = {"#define BISECT_STEP 5\n#define BISECT_STAGE bisectStage\n#define BISECT_SCAN\n",
+                            {render_text_bisect_scan, ""},
+                            false},
+        [BISECTION_LOOK] = {"#define BISECT_STEP 0\n#define BISECT_STAGE bisectStage\n",
+                            {render_text_bisect_scan, render_text_bisect_look},
+                            false},
+        [BISECTION_MERGE_CHOOSE] = {"#define BISECT_STEP 1\n#define BISECT_STAGE bisectMergeChoose\n",
+                                    {render_text_bisect_merge, ""},
+                                    false},
+        [BISECTION_MERGE] = {"#define BISECT_STEP 2\n#define BISECT_STAGE bisectMerge\n",
+                             {render_text_bisect_merge, ""},
+                             false},
+        [BISECTION_CHOOSE] = {"#define BISECT_STEP 3\n#define BISECT_STAGE bisectChoose\n",
+                              {render_text_bisect_choose, ""},
+                              false},
+        [BISECTION_PACK_CHOOSE] = {"#define BISECT_CHOOSE\n", {render_text_bisect_pack, ""}, true},
+        [BISECTION_PACK] = {"\n", {render_text_bisect_pack, ""}, true},
     };
     const char *lights = lights_of(making->scene),
                *wide = store_context(making->store)->hardware ? "#define BISECT_WIDE\n" : "\n";
-    ProgramText split = {.compute = {displaced_version, lights, wide, "#define BISECT_STEP 4\n", point,
-                                     making->displace, render_text_displace_point, render_text_bisect,
-                                     render_text_bisect_see, render_text_bisect_split, render_text_bisect_next}};
-    ProgramText begin = {.compute = {displaced_version, "#define BISECT_BEGIN\n", point, making->displace,
-                                     render_text_displace_point, render_text_bisect, render_text_bisect_see,
-                                     render_text_bisect_split}};
-    bool fine = displaced_program(making, &split, &made->material) &&
-                displaced_program(making, &begin, &b->stages[BISECTION_BEGIN]);
+    char defines[64];
+    snprintf(defines, sizeof defines, "%s%s", lights, wide);
+    bool fine = make_moving_stages(making, defines, made);
     for (int i = 0; fine && i < BISECTION_BEGIN; i++) {
-        const ProgramText text = {.compute = {displaced_version, lights, wide, stages[i].define, render_text_bisect,
-                                              render_text_bisect_see, stages[i].text,
+        const ProgramText text = {.compute = {displaced_version, defines, stages[i].define, render_text_bisect,
+                                              render_text_bisect_see, stages[i].text[0], stages[i].text[1],
                                               stages[i].alone ? NULL : render_text_bisect_next}};
         fine = material_make(making->store, NULL, &text, &b->stages[i]);
     }
@@ -91,7 +128,8 @@ void bisection_set(Displaced *d, const char *name, int lanes, const float *value
 {
     Bisection *b = d->own;
     for (int i = 0; i < BISECTION_STAGES; i++)
-        material_set(&b->stages[i], &(MaterialValue){name, lanes, values});
+        if (b->stages[i].store)
+            material_set(&b->stages[i], &(MaterialValue){name, lanes, values});
     material_set(&d->material, &(MaterialValue){name, lanes, values});
 }
 

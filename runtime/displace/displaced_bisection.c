@@ -86,6 +86,18 @@ static void write_head(const Displaced *d, GLuint high, GLuint free)
     copy_head(d, b->head_copy, b->buffers[BISECTION_WORK]);
 }
 
+/* Rounds of few triangles, all that there are: by one group, where a device has as many threads. */
+static void run_few(const Displaced *d)
+{
+    const GlContext *gl = displaced_context(d);
+    Bisection *b = d->own;
+    if (!gl->hardware)
+        return;
+    material_use(&b->stages[BISECTION_FEW]);
+    gl->DispatchCompute(1, 1, 1);
+    finish(gl);
+}
+
 /* So many rounds at once: what is done before they end has nothing to do in the others. */
 static void run_rounds(Displaced *d, int merging, int splitting)
 {
@@ -94,10 +106,13 @@ static void run_rounds(Displaced *d, int merging, int splitting)
         dispatch_counted(d, &b->stages[BISECTION_MERGE_CHOOSE], BISECTION_GROUPS);
         dispatch_counted(d, &b->stages[BISECTION_MERGE], BISECTION_GROUPS_CHOSEN);
     }
+    run_few(d);
     for (int i = 0; i < splitting; i++) {
         dispatch_counted(d, &b->stages[BISECTION_CHOOSE], BISECTION_GROUPS);
         dispatch_counted(d, &d->material, BISECTION_GROUPS_CHOSEN);
     }
+    if (splitting)
+        run_few(d);
 }
 
 /* Entries of looks before this one are empty by their stamps; after 255 of them they are cleared, which takes a driver longer than all the rest of a look. */
@@ -124,6 +139,20 @@ static void begin_anew(Displaced *d, double pixels)
     stamp_table(d);
     b->pixels = pixels;
     b->gone = b->entries = 0;
+}
+
+/* Where a device has many threads, groups of the stage that looks find for themselves at which tiles; else a stage before does. */
+static void look(const Displaced *d, GLuint high)
+{
+    enum { LOOK_TILES = 16 /* of a group */ };
+    Bisection *b = d->own;
+    const GLuint tiles = (high + BISECTION_TILE - 1) / BISECTION_TILE;
+    if (displaced_context(d)->hardware) {
+        dispatch(d, &b->stages[BISECTION_LOOK], (tiles + LOOK_TILES - 1) / LOOK_TILES * GROUP);
+        return;
+    }
+    dispatch(d, &b->stages[BISECTION_SCAN], tiles);
+    dispatch_counted(d, &b->stages[BISECTION_LOOK], BISECTION_GROUPS);
 }
 
 /* Where merging has left many places free, leaves behind all others come into these. */
@@ -155,10 +184,11 @@ static bool update(Displaced *d)
     bisection_set_number(d, "bisect_pixels", pixels);
     bisection_set_number(d, "bisect_fresh", fresh);
     bisection_set_number(d, "bisect_gone", b->gone);
-    dispatch(d, &b->stages[BISECTION_SCAN], (high + BISECTION_TILE - 1) / BISECTION_TILE);
-    dispatch_counted(d, &b->stages[BISECTION_LOOK], BISECTION_GROUPS);
+    look(d, high);
     b->looks++;
-    int merging = b->rounds[0] + 1, splitting = b->rounds[1] + 1;
+    const int one_more =
+        displaced_context(d)->hardware ? 0 : 1; /* there rounds that are many are counted, and a stage does the rest */
+    int merging = b->rounds[0] + one_more, splitting = b->rounds[1] + one_more;
     do {
         run_rounds(d, merging, splitting);
         read_head(d);

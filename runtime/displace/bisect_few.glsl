@@ -1,0 +1,43 @@
+// All rounds in one stage, as long as they have few triangles, by one group of threads: that it waits for itself takes a device a tenth of what a stage takes. Where there are more, it leaves them to others.
+void bisectWait()
+{
+    bisectFence();
+    barrier();
+}
+
+// By the first thread, between two waits: all have read what it changes, and read what it has changed.
+void bisectNextWaiting(int step)
+{
+    bisectWait();
+    if (gl_LocalInvocationIndex == 0u)
+        bisectNext(step);
+    bisectWait();
+}
+
+void main()
+{
+    if (gl_LocalInvocationIndex < BISECT_COUNTS)
+        bisect_head[gl_LocalInvocationIndex] = bisect_work[gl_LocalInvocationIndex];
+    bisectWait();
+    for (;;) {
+        bool merging = bisect_head[MERGED_ALL] == 0u;
+        uint count = merging ? bisect_head[MERGING] : bisect_head[WANTED];
+        if (count == 0u || count > (merging ? FEW_MERGING : FEW_WANTED) || bisect_head[FULL] != 0u || bisect_head[LOST] != 0u)
+            break;
+        for (uint group = 0u; BISECT_THREADS * group < count; group++)
+            if (merging)
+                bisectMergeChoose(group);
+            else
+                bisectChoose(group);
+        bisectNextWaiting(merging ? 1 : 3);
+        uint groups = bisect_head[GROUPS_CHOSEN];
+        for (uint group = 0u; group < groups; group++)
+            if (merging)
+                bisectMerge(group);
+            else
+                bisectSplit(group);
+        bisectNextWaiting(merging ? 2 : 4);
+    }
+    if (gl_LocalInvocationIndex < BISECT_COUNTS)
+        bisect_work[gl_LocalInvocationIndex] = bisect_head[gl_LocalInvocationIndex];
+}
