@@ -17,6 +17,7 @@ static const struct {
             {"tessellation, edges of 8", "method: tessellation, pixels: 32, triangles: 4000000"},
             {"bisection, 1/2 pixel", "method: bisection, pixels: 2, triangles: 1000000"},
             {"bisection, 1 pixel", "method: bisection, pixels: 4, triangles: 1000000"},
+            {"bisection, 3/4, of 60000", "method: bisection, pixels: 3, triangles: 60000"},
             {"traced, 1920 triangles", "method: traced, triangles: 1920"}};
 enum { ROWS = sizeof rows / sizeof *rows };
 
