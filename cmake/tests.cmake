@@ -43,7 +43,8 @@ file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
 # of the rows after the first go to the driver's compiling; what they call of matc and of the renderer, others call under sanitizers.
 set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures test_reference_bounces
   test_value test_shared test_function test_filtered_mean test_layout_claims
-  test_frame_bisection test_frame_bisection_lights test_frame_bisection_moves test_frame_cast test_frame_glass test_frame_history test_frame_hybrid test_frame_indirect_truth test_frame_lights test_frame_many
+  test_frame_bisection test_frame_bisection_lights test_frame_bisection_moves test_frame_cast test_frame_cycles
+  test_frame_displaced test_frame_glass test_frame_history test_frame_hybrid test_frame_indirect_truth test_frame_lights test_frame_many
   test_frame_meshes test_frame_moving test_frame_radiance test_frame_shade test_frame_silhouette test_frame_soft test_frame_volume_cells)
 foreach(file ${TESTS})
   get_filename_component(name ${file} NAME_WE)
@@ -130,7 +131,6 @@ if(NOT MATC_TESTS_ONCE)
   matc_test(options sh tests/options.sh $<TARGET_FILE:matc>)
   matc_test(names sh tests/names.sh $<TARGET_FILE:matc>)
   matc_test(special sh tests/special.sh $<TARGET_FILE:matc>)
-  matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>)
   matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
   matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
   add_executable(tree_json tests/suites/tree.c)
@@ -161,6 +161,7 @@ endif()
 # The same in every build: what the sources are, what SPIR-V is, figures in docs/, a second judge of what is for WebGL 2 (ctest -L browser)
 if(NOT SANITIZED)
   matc_test(functions matbench functions)
+  matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>) # of depfiles alone; matc writes some under sanitizers in command_line.sh
   matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
   matc_test(order sh tests/order.sh)
   matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
