@@ -92,8 +92,10 @@ Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env 
     Ir *ir = l->ir;
     Ref by = unit(ir, build_mul(ir, weight(l, coat, env), red(l, coat->of, coat->roughening, env)));
     Ref own = red(l, coat->of, coat->roughness, env);
-    if (ir_is_number(ir, by, 0) || ir_is_number(ir, own, 0))
+    if (ir_is_number(ir, by, 0))
         return roughness;
+    if (ir_is_number(ir, own, 0)) /* what is beyond [0, 1], if anything is */
+        return build_mix(ir, roughness, unit(ir, roughness), by);
     Ref rough = build_max(ir, roughness, build_float(ir, 0));
     Ref below = build_square(ir, build_square(ir, rough)), above = build_square(ir, build_square(ir, own));
     Ref sum = build_min(ir, build_add(ir, below, build_scale(ir, above, 2)), build_float(ir, 1));
