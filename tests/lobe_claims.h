@@ -7,6 +7,14 @@
 
 enum { LOBE_RINGS = 96, LOBE_TURNS = 64 }; /* of the visible facets that albedos are summed over */
 
+/* GLSL: of a picture of 20 x 20 pixels, a roughness by row, a cosine of at least 0.1 by column, a direction, and numbers in [0, 1) that vary from pixel to pixel. */
+#define LOBE_PIXELS \
+    "const float SIDE = 20.0;\n" \
+    "float roughOf(ivec2 p) { return 0.0316227766 + 0.9683772 * float(p.y) / (SIDE - 1.0); }\n" \
+    "float cosineOf(ivec2 p) { return 0.1 + 0.9 * float(p.x) / (SIDE - 1.0); }\n" \
+    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); return vec3(s * cos(turn), s * sin(turn), cosine); }\n" \
+    "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
+
 /* GLSL: a facet of GGX that is seen from v (Heitz 2018), by two numbers in [0, 1). */
 #define LOBE_FACET                                                                                                     \
     "vec3 facet(vec3 v, float a, vec2 u) {\n"                                                                          \

@@ -34,7 +34,7 @@ static unsigned char buffer[sizeof rows + sizeof indices + 64];
 #define WETNESS     "\"_Wetness\":2,\"_PLACE_2\":3,\"TEXCOORD_0\":4,\"COLOR_0\":2"
 #define COORDINATES "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,\"count\":7,\"type\":\"VEC2\"}"
 
-/* With `_OTHER` and the two nine names, of which the last is not read. */
+/* Six more names. They make nine with `_OTHER` and the two; the ninth is not read. */
 #define NINE ",\"_1\":2,\"_2\":2,\"_3\":2,\"_4\":2,\"_5\":2,\"_6\":2"
 
 static int find(const Shape *shape, const char *name)

@@ -22,11 +22,7 @@ static const char head[] =
 static const char layers[] = "#define SURFACE_HAS_coat\n#define SURFACE_HAS_coatRoughness\n#define SURFACE_HAS_coatReflectance\n"
                              "#define SURFACE_HAS_fuzz\n#define SURFACE_HAS_fuzzColor\n#define SURFACE_HAS_fuzzRoughness\n";
 static const char tools[] =
-    "const float SIDE = 20.0;\n"
-    "float roughOf(ivec2 p) { return 0.0316227766 + 0.9683772 * float(p.y) / (SIDE - 1.0); }\n"
-    "float cosineOf(ivec2 p) { return 0.1 + 0.9 * float(p.x) / (SIDE - 1.0); }\n"
-    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); return vec3(s * cos(turn), s * sin(turn), cosine); }\n"
-    "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
+    LOBE_PIXELS
     "vec3 lightOf(ivec2 p) { return toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 * varied(p, 0.91)); }\n"
     "Surface made(float base, float reflectance, float rough, float facets) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base, 0.5 * base, 0.9 * base), vec3(1.0), 0.0, "
     "facets, reflectance, rough, 0.0, 0.0, 0.0, 0.0, vec3(1.0), 0.5); }\n";

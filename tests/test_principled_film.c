@@ -19,11 +19,7 @@ static const char head[] =
     "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define SURFACE_HAS_specular\n#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n"
     "#define SURFACE_HAS_reflectance\n#define SURFACE_HAS_film\n#define SURFACE_HAS_filmPath\n#define SURFACE_HAS_filmIor\n";
 static const char tools[] =
-    "const float SIDE = 20.0;\n"
-    "float roughOf(ivec2 p) { return 0.0316227766 + 0.9683772 * float(p.y) / (SIDE - 1.0); }\n"
-    "float cosineOf(ivec2 p) { return 0.1 + 0.9 * float(p.x) / (SIDE - 1.0); }\n"
-    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); return vec3(s * cos(turn), s * sin(turn), cosine); }\n"
-    "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
+    LOBE_PIXELS
     "Surface made(ivec2 p, float base, float metal) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), vec3(1.0), metal, roughOf(p), 0.04, 1.0, 3.0 * varied(p, 0.29), 1.2 + 0.8 * varied(p, 0.43)); }\n";
 static const char films[] =
     "vec4 passPixel(ivec2 p) { return vec4(filmReflected(Film(1.0, 5.0 * varied(p, 0.618), 1.1 + 1.2 * varied(p, 0.382)), cosineOf(p), vec3(varied(p, 0.733) * varied(p, 0.733))), 1.0); }\n";

@@ -21,11 +21,7 @@ static const char head[] =
     "#define SURFACE_HAS_reflectance\n#define SURFACE_HAS_transparency\n#define SURFACE_HAS_transmission\n#define SURFACE_HAS_diffuseTransparency\n"
     "#define SURFACE_HAS_coat\n#define SURFACE_HAS_coatTint\n#define SURFACE_HAS_coatRoughness\n#define SURFACE_HAS_coatReflectance\n";
 static const char tools[] =
-    "const float SIDE = 20.0;\n"
-    "float roughOf(ivec2 p) { return 0.0316227766 + 0.9683772 * float(p.y) / (SIDE - 1.0); }\n"
-    "float cosineOf(ivec2 p) { return 0.1 + 0.9 * float(p.x) / (SIDE - 1.0); }\n"
-    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); return vec3(s * cos(turn), s * sin(turn), cosine); }\n"
-    "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
+    LOBE_PIXELS
     "Surface made(float base, float behind, float clear, float rough, float reflectance, vec2 coat) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), vec3(1.0), 0.0, rough,\n"
     "    reflectance, vec3(clear), clear, vec3(behind), coat.x, vec3(1.0), coat.y, 0.0533); }\n"
     "Surface leaf(ivec2 p) { return made(0.7 * varied(p, 0.618), varied(p, 0.382), 0.0, roughOf(p), 0.2 * varied(p, 0.137), vec2(0.0)); }\n";
