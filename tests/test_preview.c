@@ -11,8 +11,8 @@
 
 /* The preview's room: lights in the eye's space, and light from all around. */
 static const Vector light_direction[] = {{{-.4968, .6211, .6062}}, {{.8729, .0970, .4783}}, {{.3651, .5477, -.7528}}};
-static const Vector light_color[] = {{{1.04, .99, .91}}, {{.17, .21, .27}}, {{.42, .45, .5}}};
-static const Vector above = {{.175, .185, .205}}, below = {{.062, .057, .053}};
+static const Vector light_color[] = {{{.88, .84, .77}}, {{.15, .19, .25}}, {{.42, .45, .5}}};
+static const Vector above = {{.42, .44, .48}}, below = {{.11, .104, .098}};
 
 /* A grey Phong without transparency: what it sends to the eye from where its normal is n, seen along `ray`. */
 typedef struct {

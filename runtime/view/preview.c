@@ -8,11 +8,11 @@
 /* Towards the lamps, to the right, up and back: a warm key light, a cool fill, a rim from behind. */
 static const struct {
     double way[3], light[3];
-} lamps[PREVIEW_LAMPS] = {{{-.4968, .6211, .6062}, {1.04, .99, .91}},
-                          {{.8729, .0970, .4783}, {.17, .21, .27}},
+} lamps[PREVIEW_LAMPS] = {{{-.4968, .6211, .6062}, {.88, .84, .77}},
+                          {{.8729, .0970, .4783}, {.15, .19, .25}},
                           {{.3651, .5477, -.7528}, {.42, .45, .5}}};
 
-static const double above[3] = {.175, .185, .205}, below[3] = {.062, .057, .053};
+static const double above[3] = {.42, .44, .48}, below[3] = {.11, .104, .098};
 
 /* The azimuth at which the material is brightest a little above the horizon, by the C reference. A direction that takes too long is no number, and
  * never the brightest. */
