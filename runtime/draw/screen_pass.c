@@ -1,5 +1,6 @@
 /* Puts a body between its version and its entry; draws or dispatches. */
 #include "runtime/draw/screen_pass.h"
+#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -15,6 +16,23 @@ static const struct {
                {"RGBA32F", "rgba32f", GL_RGBA32F},
                {"RGBA8", "rgba8", GL_RGBA8},
                {"RGBA16", "rgba16", GL_RGBA16}};
+
+void screen_pass_add(ScreenPassText *text, const char *piece)
+{
+    int count = 0;
+    while (count < SCREEN_PASS_PIECES && text->body[count])
+        count++;
+    if (!piece || !*piece)
+        return;
+    assert(count < SCREEN_PASS_PIECES);
+    text->body[count] = piece;
+}
+
+void screen_pass_add_all(ScreenPassText *text, const char *const *pieces, int count)
+{
+    for (int i = 0; i < count; i++)
+        screen_pass_add(text, pieces[i]);
+}
 
 static int find_format(const char *name)
 {

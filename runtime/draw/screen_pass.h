@@ -16,6 +16,9 @@ typedef struct {
     bool over;                            /* the body is passOver(): what it gives is laid over what is in the target */
     int block; /* 0, or the body has a compute entry of its own, for squares of so many pixels */
 } ScreenPassText;
+/* Behind the body that is there; of NULL and "" nothing is added. There must be room. */
+void screen_pass_add(ScreenPassText *text, const char *piece);
+void screen_pass_add_all(ScreenPassText *text, const char *const *pieces, int count);
 
 typedef struct {
     Material material;

@@ -43,59 +43,85 @@ void pass_rays_place(Render *render)
  * as the longest. */
 static bool is_alike(const Render *render) { return render->scene->indirect.rotation == WORD_Rotation_tile; }
 
+/* How rays are sent: to the view of openness alone, by points, by a mask of the screen, or on through voxels. */
+typedef struct {
+    bool seen, points, mask, voxels, levels;
+} Way;
+
+static Way way_of(const Render *render)
+{
+    const bool seen = indirect_shows(render, "visibility");
+    const Word method = indirect_method(render);
+    return (Way){.seen = seen,
+                 .points = !seen && method == WORD_Indirect_points,
+                 .mask = !seen && method == WORD_Indirect_screen,
+                 .voxels = indirect_reads_voxels(render),
+                 .levels = indirect_reads_radiance(render)};
+}
+
+/* Places of pixels, and of what voxels hold. */
+static void add_places(const Way *way, ScreenPassText *text)
+{
+    if (way->voxels)
+        screen_pass_add(text, "#define INDIRECT_VOXELS\n");
+    if (way->levels)
+        screen_pass_add(text, "#define INDIRECT_LEVELS\n");
+    screen_pass_add(text, render_text_indirect_place);
+    screen_pass_add(text, render_text_indirect_basis);
+    if (way->voxels)
+        screen_pass_add(text, render_text_voxel_map);
+    if (way->voxels)
+        screen_pass_add(text, way->levels ? render_text_voxel_ray : render_text_voxel_march);
+    screen_pass_add(text, render_text_indirect_lift);
+}
+
+/* What is found there. */
+static void add_march(const Way *way, ScreenPassText *text)
+{
+    screen_pass_add(text, way->mask     ? render_text_indirect_mask
+                          : way->points ? render_text_indirect_points
+                          : way->levels ? render_text_indirect_near
+                                        : render_text_indirect_march);
+    if (!way->mask && !way->points)
+        screen_pass_add(text, render_text_indirect_rays);
+    screen_pass_add(text, way->seen ? render_text_indirect_seen : render_text_pass_rays);
+}
+
+/* The surface, whose model is asked again where light goes on from pixels. */
+static void add_surface(const Render *render, bool again, const char *defined, ScreenPassText *text)
+{
+    screen_pass_add(text, indirect_surface_text(render));
+    if (again) {
+        screen_pass_add(text, render->surface_lacks);
+        screen_pass_add(text, render->surface->text);
+        screen_pass_add_all(text, render->surface->more, SURFACE_MODEL_MORE);
+    }
+    screen_pass_add(text, defined);
+    if (again)
+        screen_pass_add(text, "#define INDIRECT_AGAIN\n");
+}
+
 static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS], planes[INDIRECT_PLANES_DEFINITION];
     const char *around[INDIRECT_AROUND_TEXTS];
     const bool kept = radiance_needed(render);
-    const bool voxels = indirect_reads_voxels(render), levels = indirect_reads_radiance(render),
-               seen = indirect_shows(render, "visibility"),
-               points = !seen && indirect_method(render) == WORD_Indirect_points,
-               mask = !seen && indirect_method(render) == WORD_Indirect_screen;
+    const Way way = way_of(render);
+    ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_open, 0), .compute = render->compute};
     indirect_define(render, coarse, defined);
     radiance_define(render, cached);
     indirect_planes_define(render, planes);
     indirect_around_texts(render, around);
-    const SurfaceModel none = {.text = ""}, *of = again ? render->surface : &none;
-    const ScreenPassText text = {.body = {indirect_surface_text(render),
-                                          again ? render->surface_lacks : "",
-                                          of->text,
-                                          surface_model_more(of, 0),
-                                          surface_model_more(of, 1),
-                                          surface_model_more(of, 2),
-                                          surface_model_more(of, 3),
-                                          surface_model_more(of, 4),
-                                          surface_model_more(of, 5),
-                                          surface_model_more(of, 6),
-                                          surface_model_more(of, 7),
-                                          defined,
-                                          again ? "#define INDIRECT_AGAIN\n" : "",
-                                          kept && is_alike(render) ? "#define ENTRY_APART 8\n" : "",
-                                          levels   ? "#define INDIRECT_VOXELS\n#define INDIRECT_LEVELS\n"
-                                          : voxels ? "#define INDIRECT_VOXELS\n"
-                                                   : "",
-                                          render_text_indirect_place,
-                                          render_text_indirect_basis,
-                                          voxels ? render_text_voxel_map : "",
-                                          levels   ? render_text_voxel_ray
-                                          : voxels ? render_text_voxel_march
-                                                   : "",
-                                          render_text_indirect_lift,
-                                          kept ? cached : "",
-                                          kept ? render_text_radiance : "",
-                                          around[0],
-                                          around[1],
-                                          around[2],
-                                          planes,
-                                          *planes ? render_text_indirect_planes : "",
-                                          mask     ? render_text_indirect_mask
-                                          : points ? render_text_indirect_points
-                                          : levels ? render_text_indirect_near
-                                                   : render_text_indirect_march,
-                                          mask || points ? "" : render_text_indirect_rays,
-                                          seen ? render_text_indirect_seen : render_text_pass_rays},
-                                 .format = frame_format(render, FRAME_TARGET_open, 0),
-                                 .compute = render->compute};
+    add_surface(render, again, defined, &text);
+    if (kept && is_alike(render))
+        screen_pass_add(&text, "#define ENTRY_APART 8\n");
+    add_places(&way, &text);
+    if (kept)
+        screen_pass_add_all(&text, (const char *const[]){cached, render_text_radiance}, 2);
+    screen_pass_add_all(&text, around, INDIRECT_AROUND_TEXTS);
+    if (*planes)
+        screen_pass_add_all(&text, (const char *const[]){planes, render_text_indirect_planes}, 2);
+    add_march(&way, &text);
     if (!screen_pass_make(render->store, &text, pass))
         return false;
     screen_pass_sampler(pass, "indirect_light", LIGHT_UNIT);

@@ -72,78 +72,83 @@ static bool fail_model(const Render *render)
 
 bool lighting_lights(Render *render) { return light_table_write(render, LIGHTS_UNIT); }
 
-bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
+/* What gives a Surface, and its model behind the kinds of light that this asks for. */
+static void add_surface(const Render *render, bool places, ScreenPassText *text)
 {
-    char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
-    const char *exact[EXACT_TEXTS];
-    if ((!render->light.table.texels && !lighting_lights(render)) || !shadow_make_tables(render))
-        return false;
-    const bool around_only = own->of == LIGHTING_around;
-    light_table_define(render, own->block > 0 && own->of != LIGHTING_nodes, table);
-    const bool areas = render->light.counts[VIEW_SPACE_AREAS] > 0 && !around_only,
-               sky = light_sky_shines(render->scene);
-    const bool soft = shadow_is_soft(render) && !around_only;
-    const bool cells =
-        volume_lights_cast(render) && volume_cells_are(render) && own->of != LIGHTING_nearest && !around_only;
-    const char *shadows = shadow_text(render, own->of == LIGHTING_nearest, defined);
-    pass_exact_texts(render, own->of == LIGHTING_nearest, exact);
-    if (own->of == LIGHTING_nearest && facet_lights_cast(render)) { /* never beside exact ones */
+    float hemisphere[VIEW_SPACE_HEMISPHERE][4];
+    screen_pass_add(text, render->set.unpack ? render->set.unpack : no_surface);
+    if (places && render->light.counts[VIEW_SPACE_AREAS] > 0)
+        screen_pass_add(text, render_text_light_area);
+    if (light_sky_shines(render->scene))
+        screen_pass_add(text, render_text_light_sky);
+    if (view_space_hemisphere(&render->space, render->scene, hemisphere))
+        screen_pass_add(text, render_text_light_hemisphere);
+    screen_pass_add(text, render->surface_lacks);
+    screen_pass_add(text, render->surface->text);
+    screen_pass_add_all(text, render->surface->more, SURFACE_MODEL_MORE);
+}
+
+/* How lights that have a place cast shadows. */
+static void add_shadows(const Render *render, bool nearest, char defined[SHADOW_DEFINITIONS], ScreenPassText *text)
+{
+    const char *exact[EXACT_TEXTS], *shadows = shadow_text(render, nearest, defined);
+    const bool volumes = volume_lights_cast(render);
+    pass_exact_texts(render, nearest, exact);
+    if (nearest && facet_lights_cast(render)) { /* never beside exact ones */
         exact[0] = "#define FACETS\n";
         exact[2] = render_text_facet;
     }
-    if (around_only) {
-        *defined = 0;
-        shadows = exact[0] = exact[1] = exact[2] = "";
-    }
-    if (sky && !render->light.sky.map && !light_sky_make(render))
+    screen_pass_add_all(text, (const char *const[]){exact[0], exact[1], defined}, 3);
+    if (volumes)
+        screen_pass_add(text, render_text_shadow_volume);
+    screen_pass_add(text, shadows);
+    if (volumes && volume_cells_are(render) && !nearest)
+        screen_pass_add(text, render_text_volume_cells);
+    if (shadow_has_silhouettes(render))
+        screen_pass_add(text, render_text_silhouette);
+    screen_pass_add(text, exact[2]);
+}
+
+/* The sum over lights, and what it leaves to others. */
+static void add_lighting(const Render *render, LightingOf of, ScreenPassText *text)
+{
+    if (of == LIGHTING_nodes)
+        screen_pass_add(text, "#define LIGHT_AROUND_LATER\n#undef SHADOW_SHEETS\n" /* of pixels */);
+    else if (of == LIGHTING_nearest && scene_indirect_is(render->scene))
+        screen_pass_add(text, "#define LIGHT_AROUND_LATER\n");
+    screen_pass_add(text, backdrop_light_text(render));
+    screen_pass_add(text, render_text_lighting);
+    if (shadow_is_soft(render) && of != LIGHTING_around)
+        screen_pass_add(text, render_text_shadow_soft);
+}
+
+static bool make_what_it_reads(Render *render)
+{
+    return (render->light.table.texels || lighting_lights(render)) && shadow_make_tables(render) &&
+           (!light_sky_shines(render->scene) || render->light.sky.map || light_sky_make(render));
+}
+
+bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
+{
+    char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
+    const bool places = own->of != LIGHTING_around, scattered = own->block > 0 && own->of != LIGHTING_nodes;
+    ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_light, 0),
+                           .compute = render->compute || own->of == LIGHTING_nodes,
+                           .over = own->over,
+                           .block = own->block};
+    if (!make_what_it_reads(render))
         return false;
-    float hemisphere[VIEW_SPACE_HEMISPHERE][4];
-    const bool around = view_space_hemisphere(&render->space, render->scene, hemisphere);
-    const ScreenPassText text = {
-        .body = {render->set.unpack ? render->set.unpack : no_surface,
-                 areas ? render_text_light_area : "",
-                 sky ? render_text_light_sky : "",
-                 around ? render_text_light_hemisphere : "",
-                 render->surface_lacks,
-                 render->surface->text,
-                 surface_model_more(render->surface, 0),
-                 surface_model_more(render->surface, 1),
-                 surface_model_more(render->surface, 2),
-                 surface_model_more(render->surface, 3),
-                 surface_model_more(render->surface, 4),
-                 surface_model_more(render->surface, 5),
-                 surface_model_more(render->surface, 6),
-                 surface_model_more(render->surface, 7),
-                 exact[0],
-                 exact[1],
-                 defined,
-                 volume_lights_cast(render) && !around_only ? render_text_shadow_volume : "",
-                 shadows,
-                 cells ? render_text_volume_cells : "",
-                 shadow_has_silhouettes(render) && !around_only ? render_text_silhouette : "",
-                 exact[2],
-                 table,
-                 own->of == LIGHTING_nearest && scene_indirect_is(render->scene) ? "#define LIGHT_AROUND_LATER\n"
-                 : own->of == LIGHTING_nodes ? "#define LIGHT_AROUND_LATER\n#undef SHADOW_SHEETS\n" /* of pixels */
-                                             : "",
-                 backdrop_light_text(render),
-                 render_text_lighting,
-                 soft ? render_text_shadow_soft : "",
-                 own->body[0],
-                 own->body[1],
-                 own->body[2],
-                 own->body[3],
-                 own->body[4],
-                 own->body[5],
-                 own->body[6]},
-        .format = frame_format(render, FRAME_TARGET_light, 0),
-        .compute = render->compute || own->of == LIGHTING_nodes,
-        .over = own->over,
-        .block = own->block};
+    add_surface(render, places, &text);
+    if (places)
+        add_shadows(render, own->of == LIGHTING_nearest, defined, &text);
+    light_table_define(render, scattered, table);
+    screen_pass_add(&text, table);
+    add_lighting(render, own->of, &text);
+    screen_pass_add_all(&text, own->body, LIGHTING_PIECES);
     if (!screen_pass_make(render->store, &text, made))
         return fail_model(render);
     set_numbers(render, made);
-    if (sky)
+    if (light_sky_shines(render->scene))
         light_sky_set(render, SKY_UNIT, made);
     return true;
 }

@@ -21,8 +21,9 @@ void pass_light_draw(Render *render);
 typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around, LIGHTING_nodes } LightingOf;
 
 /* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
+enum { LIGHTING_PIECES = 7 };
 typedef struct {
-    const char *body[7];
+    const char *body[LIGHTING_PIECES]; /* NULL where there is none */
     bool over; /* it is passOver() */
     int block; /* of screen_pass.h */
     LightingOf of;

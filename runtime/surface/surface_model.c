@@ -49,5 +49,3 @@ void surface_model_define(unsigned models, char text[SURFACE_MODEL_DEFINITIONS])
         if (!(models & MODEL_LOBE(lobe)))
             end += snprintf(end, SURFACE_MODEL_DEFINITIONS - (size_t)(end - text), "#define SURFACE_LACKS_%s\n", lobe_table[lobe].name);
 }
-
-const char *surface_model_more(const SurfaceModel *model, int i) { return model->more[i] ? model->more[i] : ""; }

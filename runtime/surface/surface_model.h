@@ -38,7 +38,7 @@ typedef struct {
     const char *name;
     const char *text;
     bool parts;
-    const char *more[SURFACE_MODEL_MORE]; /* texts behind that one */
+    const char *more[SURFACE_MODEL_MORE]; /* texts behind that one; NULL where there is none */
 } SurfaceModel;
 
 extern const SurfaceModel surface_model_phong, surface_model_principled;
@@ -46,6 +46,4 @@ extern const SurfaceModel surface_model_phong, surface_model_principled;
 const SurfaceModel *surface_model_of(const LayoutRow *layout, unsigned models);
 /* SURFACE_LACKS_<lobe> for each that no material has, by bits as above and MODEL_LOBE: what a scene lacks is not in its programs. */
 void surface_model_define(unsigned models, char text[SURFACE_MODEL_DEFINITIONS]);
-/* "" where there is none. */
-const char *surface_model_more(const SurfaceModel *model, int i);
 #endif
