@@ -57,6 +57,12 @@ static const RuleCase ranges[] = {
     {"min(fract(x), fract(y))", NULL},
     {"min(fract(x), add(fract(y), 1))", "fract(x)"},
     {"min(fract(x), [1, 1])", NULL},
+    {"step(fract(x), 1)", "1"},
+    {"step(fract(x), 0.999)", NULL},
+    {"step(0, fract(x))", "1"},
+    {"step(0.001, fract(x))", NULL},
+    {"step(1.001, fract(x))", "0"},
+    {"step(1, fract(x))", NULL}, /* it may be 1 */
     {"lt(fract(x), 1.001)", "true"},
     {"lt(fract(x), 1)", NULL},
     {"lt(0, fract(x))", NULL}, /* it may be 0 */

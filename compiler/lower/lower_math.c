@@ -146,13 +146,18 @@ Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, curved(l, &(Curve){clamped, {low, high}}, x, MOST_HALVINGS), group);
 }
 
+/* lower_term looks at all arguments that a term may have. */
 static Ref raised(Lower *l, Ref x, const Ref *exponent)
 {
     Ir *ir = l->ir;
-    const double least = 1e-37; /* a float that is no denormal */
-    const Type type = ir_type(ir, x);
-    return build_pow(ir, build_max(ir, x, build_all(ir, type, least)), build_splat(ir, exponent[0], type));
+    if (!ir_is(ir, *exponent, OP_const)) { /* of a number lower_term does that */
+        Ref one = build_float(ir, 1), border = build_pow(ir, build_float(ir, 1e37), build_div(ir, one, build_max(ir, *exponent, one)));
+        x = build_min(ir, x, build_splat(ir, border, ir_type(ir, x)));
+    }
+    return lower_term(l, TERM_pow, (const Ref[TERM_MOST_ARGUMENTS]){x, *exponent});
 }
+
+static Ref term_of(Lower *l, Term term, Ref x) { return lower_term(l, term, (const Ref[TERM_MOST_ARGUMENTS]){x}); }
 
 Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
 {
@@ -160,9 +165,6 @@ Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
     const Ref exponent = factor(l, node, P_Power_exponent);
     return given(l, curved(l, &(Curve){raised, {exponent}}, x, MOST_HALVINGS), group);
 }
-
-/* lower_term looks at all arguments that a term may have. */
-static Ref term_of(Lower *l, Term term, Ref x) { return lower_term(l, term, (const Ref[TERM_MOST_ARGUMENTS]){x}); }
 
 /* The colour, turned; a fourth lane, if there is one, is left for the colour's own alpha. */
 static Ref turned(Lower *l, Ref x, const Ref *by)

@@ -7,6 +7,7 @@
 #include "compiler/lower/area.h"
 #include "compiler/lower/cells.h"
 #include "runtime/library/reference.h"
+#include <float.h>
 #include <math.h>
 
 static const double LEAST_DIVISOR = 1e-30, LEAST_BASE = 1e-37, GREATEST_POWER = 1e37;
@@ -95,10 +96,26 @@ static Ref remainder_of(Lower *l, const Ref *x)
     return by_lanes(l, remainder_by_number, x, 2);
 }
 
+/* A base whose power by a number is within GREATEST_POWER, so that no infinity comes about on the way there: the border is that of the base. */
+static Ref power_by_number(Lower *l, Ref base, Ref exponent, double by)
+{
+    Ir *ir = l->ir;
+    const double border = pow(GREATEST_POWER, 1 / by), least_by = log(GREATEST_POWER) / log(FLT_MAX);
+    Ref within = build_max(ir, base, build_float(ir, by < 0 ? fmax(border, LEAST_BASE) : LEAST_BASE));
+    if (by > least_by) /* by less no float comes there */
+        within = build_min(ir, within, build_float(ir, border));
+    return build_pow(ir, within, exponent);
+}
+
 /* From the base and the exponent. */
 static Ref power(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
+    const bool minus = ir_is(ir, x[1], OP_neg);
+    const Ref number = minus ? ir_arg(ir, x[1], 0) : x[1];
+    const double by = ir_is(ir, number, OP_const) && ir_lanes(ir, number) == 1 ? *ir_numbers(ir, number) : 0;
+    if (by != 0)
+        return power_by_number(l, x[0], x[1], minus ? -by : by);
     Ref raised = build_pow(ir, build_max(ir, x[0], build_float(ir, LEAST_BASE)), x[1]);
     return build_min(ir, raised, build_float(ir, GREATEST_POWER));
 }

@@ -54,7 +54,7 @@ double oracle_Clamp(Environment *environment, const Node *node, int channel)
 double oracle_Power(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Power_input, lane_of(channel));
-    return lane_of(channel) == 3 ? x : pow(fmax(x, 1e-37), oracle_number(node, P_Power_exponent));
+    return lane_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), oracle_number(node, P_Power_exponent)), 1e37);
 }
 
 /* Red, green and blue as hue in turns, saturation and value: the hexagon that the colour cube shows when it is looked at along its diagonal. */

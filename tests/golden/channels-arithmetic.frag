@@ -117,21 +117,6 @@ uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-vec3 eyeFromWorld(vec3 d) {
-    return matc_eyeFromWorld * d;
-}
-
 // v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
 // bits from 4 to 16.
 uint logarithmBits(float v, int bits) {
@@ -152,6 +137,21 @@ float phongExponent(float x) {
     float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
     float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
     return y > 0.0 ? exponent : 0.0;
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -217,12 +217,7 @@ void main() {
     float sum = leopard2.w + 1.0;
     // arithmetic.yaml:13 Power
     float power_1 = max(sum, 1e-37);
-    float power = power_1 * power_1;
     float power_2 = step(1e-37, sum);
-    float power_3 = power_2 * dot(leopard2.xyz, localTangentU) * power_1;
-    float power_4 = power_2 * dot(leopard2.xyz, localTangentV) * power_1;
-    // arithmetic.yaml:8 Power
-    vec3 specular_power = pow(max(vec3(0.2, leopard2.w, specular_checker), vec3(1e-37)), vec3(1.5));
     // arithmetic.yaml:12 Remap
     float shininess_remap = sum * 0.23333333 + 0.1;
     // arithmetic.yaml:6 Contrast
@@ -230,12 +225,17 @@ void main() {
     // arithmetic.yaml:4 Mix
     vec4 diffuse_mix = mix(vec4(0.2, 0.4, 0.3, 1.0), vec4(vec3(diffuse_contrast), 1.0), diffuse_clamped);
     uint surface_bits = rootBits(diffuse_mix.x, 6) | rootBits(diffuse_mix.y, 6) << 6 | rootBits(diffuse_mix.z, 6) << 12;
-    float bumpMap_3 = (dot(leopard3.xyz, localTangentU * 2.0) * power + (power_3 + power_3) * leopard3.w) * 0.02;
-    float bumpMap_4 = (dot(leopard3.xyz, localTangentV * 2.0) * power + (power_4 + power_4) * leopard3.w) * 0.02;
+    float power = power_1 * power_1;
+    float power_3 = power_2 * dot(leopard2.xyz, localTangentU) * power_1;
+    float power_4 = power_2 * dot(leopard2.xyz, localTangentV) * power_1;
+    // arithmetic.yaml:8 Power
+    vec3 specular_power = pow(max(vec3(0.2, leopard2.w, specular_checker), 1e-37), vec3(1.5));
+    uint surface_bits2 = rootBits(specular_power.z, 5) | 65536u | 1048576u | 16777216u | logarithmBits(phongExponent(shininess_remap), 7) << 25;
+    float bumpMap_3 = (power * dot(leopard3.xyz, localTangentU * 2.0) + (power_3 + power_3) * leopard3.w) * 0.02;
+    float bumpMap_4 = (power * dot(leopard3.xyz, localTangentV * 2.0) + (power_4 + power_4) * leopard3.w) * 0.02;
     vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 * worldTangentV - bumpMap_4 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint surface_bits2 = rootBits(specular_power.z, 5) | 65536u | 1048576u | 16777216u | logarithmBits(phongExponent(shininess_remap), 7) << 25;
     uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 4227858435u, sharedExponentBits(vec3(emissive_clamped), 5) | 2290089984u, surface_bits | rootBits(specular_power.y, 5) << 23 | 2359296u, surface_bits2);
     fragment0 = surface_bits3;
 }

@@ -104,10 +104,9 @@ void main() {
     // displacementVector.yaml:5 Blend
     vec3 blend = mix(vec3(-0.4, 0.1, -0.2), vec3(0.4, -0.1, 0.3), clamp((gradient + 1.0) * 0.5, 0.0, 1.0));
     vec3 normal_22 = (vec3(0.0, 0.0, leopard2.w) + blend) * 0.25;
-    vec3 blend_1 = step(gradient, 1.0) * step(-1.0, gradient) * vec3(0.4, -0.1, 0.25);
-    vec3 normal_23 = blend_1 * (gradient_5 * (gradient_4 * dot(localTangentU, vec3(2.0, 1.0, 0.0)))) + vec3(0.0, 0.0, dot(leopard2.xyz, localTangentU * 3.0));
+    vec3 normal_23 = gradient_5 * (gradient_4 * dot(localTangentU, vec3(2.0, 1.0, 0.0))) * vec3(0.4, -0.1, 0.25) + vec3(0.0, 0.0, dot(leopard2.xyz, localTangentU * 3.0));
     vec3 normal_24 = normal_23 * 0.25;
-    vec3 normal_25 = dot(localTangentV, vec3(2.0, 1.0, 0.0)) * gradient_4 * gradient_5 * blend_1 + vec3(0.0, 0.0, dot(leopard2.xyz, localTangentV * 3.0));
+    vec3 normal_25 = dot(localTangentV, vec3(2.0, 1.0, 0.0)) * gradient_4 * gradient_5 * vec3(0.4, -0.1, 0.25) + vec3(0.0, 0.0, dot(leopard2.xyz, localTangentV * 3.0));
     vec3 normal_26 = normal_25 * 0.25;
     vec3 normal_27 = normal_24.x * normal_12 + (normal_22.z * normal_7 + worldTangentU) + normal_24.y * normal_18 + normal_22.x * (normal_13 - dot(normal_6, normal_13) * normal_6);
     vec3 normal_28 = normal_27 + normal_22.y * (normal_19 - dot(normal_6, normal_19) * normal_6);

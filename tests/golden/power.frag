@@ -139,9 +139,9 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // power.yaml:6 Cells
     float diffuse_cells = cells3(localPosition * 4.0, vec3(0.0), 1.0, 0, 0);
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // power.yaml:4 Power
     float diffuse_power = pow(max(diffuse_cells, 1e-37), 2.5);
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint diffuse_bits = rootBits(diffuse_power, 8);
     uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
     fragment0 = surface_bits;
