@@ -32,10 +32,12 @@ static inline char *values_at(const char *text, const char *at, char **said)
 static inline int read_slot(const char *values, const char *slot, double got[3])
 {
     char line[64];
-    snprintf(line, sizeof line, "\n%s ", slot);
+    const int length = snprintf(line, sizeof line, "\n%s ", slot);
     const char *found = strstr(values, line);
+    if (!strncmp(values, line + 1, length - 1)) /* the first has no line before it */
+        return sscanf(values + length - 1, "%lf %lf %lf", &got[0], &got[1], &got[2]);
     assert_non_null(found);
-    return sscanf(found + strlen(line), "%lf %lf %lf", &got[0], &got[1], &got[2]);
+    return sscanf(found + length, "%lf %lf %lf", &got[0], &got[1], &got[2]);
 }
 
 static inline void expect_slot(const char *values, const char *slot, const double *want, int lanes)
