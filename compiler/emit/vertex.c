@@ -51,7 +51,13 @@ static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 t
 static const char *const uniforms[] = {"mat4 matc_worldFromLocal", "mat4 matc_clipFromWorld",
                                        "mat3 matc_worldNormalFromLocal", "mat3 matc_eyeNormalFromLocal"};
 static const char *const screen_uniforms[] = {"mat4 matc_worldFromClip"};
-enum { ATTRIBUTE_COUNT = 5, UNIFORM_normal = 2, UNIFORM_eye_normal = 3, UNIFORM_COUNT = 4, FIRST_MOVE_LOCATION = ATTRIBUTE_COUNT + 1 };
+enum {
+    ATTRIBUTE_COUNT = 5,
+    UNIFORM_normal = 2,
+    UNIFORM_eye_normal = 3,
+    UNIFORM_COUNT = 4,
+    FIRST_MOVE_LOCATION = ATTRIBUTE_COUNT + 1
+};
 
 static void put_attributes(Text *out, Target target, const bool *used)
 {
@@ -102,8 +108,7 @@ static void mark_used(const Interface *interface, bool *attribute, bool *uniform
 static void put_instances(Text *out, bool random)
 {
     text_format(out, "layout(location = %d) in uint matc_instance;\n", ATTRIBUTE_COUNT);
-    text_put(out,
-             "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n    uint material;\n");
+    text_put(out, "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n    uint material;\n");
     text_put(out, random ? "    float object;\n};\n" : "};\n");
     text_format(out, "layout(std140, binding = %d) readonly buffer Instances {\n    Instance matc_instances[];\n};\n",
                 INSTANCE_BUFFER);
@@ -155,13 +160,17 @@ int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAtt
     return count;
 }
 
-const char *emit_vertex_name(const VertexAttribute *attribute) { return attribute->declaration + strcspn(attribute->declaration, " ") + 1; }
+const char *emit_vertex_name(const VertexAttribute *attribute)
+{
+    return attribute->declaration + strcspn(attribute->declaration, " ") + 1;
+}
 
 void emit_vertex_between(Text *out, const Job *job, int number, const VertexAttribute *attribute, const char *form)
 {
     if (target_table[job->target].locations)
         text_format(out, "layout(location = %d) ", number);
-    text_format(out, form, (int)strcspn(attribute->declaration, " "), attribute->declaration, emit_vertex_name(attribute));
+    text_format(out, form, (int)strcspn(attribute->declaration, " "), attribute->declaration,
+                emit_vertex_name(attribute));
 }
 
 void emit_vertex_declarations(Text *out, const Job *job, const Interface *interface)
@@ -237,12 +246,15 @@ static void full_screen(Text *out, const Job *job, const Interface *interface)
     text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
 }
 
+/* Drawn over all pixels by one triangle. */
+static bool is_screen(const Job *job) { return job->pass == PASS_plane || job->pass == PASS_sky; }
+
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface)
 {
     Text out = text_new(session->arena);
     emit_version(&out, job->target);
     text_format(&out, "// matc " MATC_VERSION ": vertex program of pass %s\n\n", pass_table[job->pass].name);
-    if (job->pass == PASS_plane || job->pass == PASS_sky)
+    if (is_screen(job))
         full_screen(&out, job, interface);
     else
         rasterised(&out, job, interface);
@@ -264,49 +276,66 @@ void emit_describe_part(Text *out, const char *declaration, const char *key, int
     text_char(out, '}');
 }
 
-void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
+/* The mesh's own, what moves its points, where a point was before, and those that the document names. */
+static void describe_attributes(Text *out, const Job *job, const Interface *interface,
+                                const bool attribute[ATTRIBUTE_COUNT])
 {
-    const TargetRow *target = &target_table[job->target];
-    bool screen = job->pass == PASS_plane || job->pass == PASS_sky;
-    bool attribute[ATTRIBUTE_COUNT] = {screen && !target->index},
-         uniform[UNIFORM_COUNT] = {screen && interface->inputs[INPUT_ray]};
-    const char *const *names = screen ? screen_uniforms : uniforms;
-    int size = 0;
-    if (!screen)
-        mark_used(interface, attribute, uniform);
-    text_put(out, ",\n  \"vertex\": {\"attributes\": [");
-    for (int i = 0, first = 1; i < ATTRIBUTE_COUNT; i++)
-        if (attribute[i]) {
-            text_put(out, first ? "" : ", ");
-            emit_describe_part(out, attributes[i], "location", target->in_out ? i : -1);
-            first = 0;
-        }
+    const bool screen = is_screen(job), in_out = target_table[job->target].in_out;
     bool moves[MOVE_ATTRIBUTES] = {0};
     if (interface->move && !screen)
         move_mark(interface->move, moves);
+    for (int i = 0, first = 1; i < ATTRIBUTE_COUNT; i++)
+        if (attribute[i]) {
+            text_put(out, first ? "" : ", ");
+            emit_describe_part(out, attributes[i], "location", in_out ? i : -1);
+            first = 0;
+        }
     for (int i = 0; i < MOVE_ATTRIBUTES; i++)
         if (moves[i]) {
             text_put(out, ", ");
-            emit_describe_part(out, move_attributes[i], "location", target->in_out ? FIRST_MOVE_LOCATION + i : -1);
+            emit_describe_part(out, move_attributes[i], "location", in_out ? FIRST_MOVE_LOCATION + i : -1);
         }
     if (job->moved && !screen && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X])) {
         text_put(out, ", ");
-        emit_describe_part(out, base_attribute, "location", target->in_out ? BASE_LOCATION : -1);
+        emit_describe_part(out, base_attribute, "location", in_out ? BASE_LOCATION : -1);
     }
     for (int i = 0; i < LIMIT_ATTRIBUTES && !screen; i++)
         if (interface->attributes[i]) {
             text_put(out, ", ");
-            emit_describe_part(out, attribute_declaration(interface->ir, i), "location", target->in_out ? ATTRIBUTE_FIRST_LOCATION + i : -1);
+            emit_describe_part(out, attribute_declaration(interface->ir, i), "location",
+                               in_out ? ATTRIBUTE_FIRST_LOCATION + i : -1);
             out->at[--out->size] = 0; /* its bracket */
             attribute_describe(out, interface->ir->graph->attributes[i]);
         }
-    text_put(out, "], \"uniforms\": [");
+}
+
+/* The bytes that the block of those holds. */
+static int describe_uniforms(Text *out, const Job *job, const bool uniform[UNIFORM_COUNT])
+{
+    const bool screen = is_screen(job), offsets = target_table[job->target].locations;
+    const char *const *names = screen ? screen_uniforms : uniforms;
+    int size = 0;
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
         if (uniform[i]) {
             text_put(out, first ? "" : ", ");
-            emit_describe_part(out, names[i], "offset", target->locations ? std140_offset(names[i], &size) : -1);
+            emit_describe_part(out, names[i], "offset", offsets ? std140_offset(names[i], &size) : -1);
             first = 0;
         }
+    return size;
+}
+
+void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
+{
+    const TargetRow *target = &target_table[job->target];
+    const bool screen = is_screen(job);
+    bool attribute[ATTRIBUTE_COUNT] = {screen && !target->index},
+         uniform[UNIFORM_COUNT] = {screen && interface->inputs[INPUT_ray]};
+    if (!screen)
+        mark_used(interface, attribute, uniform);
+    text_put(out, ",\n  \"vertex\": {\"attributes\": [");
+    describe_attributes(out, job, interface, attribute);
+    text_put(out, "], \"uniforms\": [");
+    const int size = describe_uniforms(out, job, uniform);
     text_put(out, "]");
     if (target->locations && size)
         text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}", DRAW_BLOCK,
