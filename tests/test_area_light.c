@@ -22,8 +22,7 @@ static const char body[] =
     "vec4 passPixel(ivec2 pixel)\n{\n"
     "    vec4 v = caseTexel(pixel, 2), normal = caseTexel(pixel, 3);\n"
     "    Area light = areaSeen(caseTexel(pixel, 0).xyz, caseTexel(pixel, 1).xyz, v.xyz, v.w > 0.0);\n"
-    "    Area above = areaClip(light, normal.xyz);\n"
-    "    return vec4(areaCosine(above, normal.xyz), areaLobe(above, normal.xyz, caseTexel(pixel, 4).xyz, normal.w), "
+    "    return vec4(areaCosine(light, normal.xyz, AREA_ALL), areaLobe(light, areaHalf(light, normal.xyz), normal.xyz, caseTexel(pixel, 4).xyz, normal.w), "
     "0.0, 1.0);\n}\n";
 
 /* Its numbers, as the GLSL and the reference take them. */

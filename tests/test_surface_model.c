@@ -22,7 +22,7 @@ static const SurfaceModel lambert = {
         "vec3 surfaceAmbient(Lit m, vec3 ambient) { return vec3(0.0); }\n"
         "vec3 surfaceLobe(Lit m, vec3 l) { return m.color * max(dot(m.normal, l), 0.0); }\n"
         "#ifdef LIGHT_HAS_AREAS\n"
-        "vec3 surfaceArea(Lit m, Area a) { return m.color * areaCosine(areaClip(a, m.normal), m.normal); }\n"
+        "vec3 surfaceArea(Lit m, Area a) { return m.color * areaCosine(a, m.normal, AREA_ALL); }\n"
         "#endif\n",
     false,
     {NULL}};

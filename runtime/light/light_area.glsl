@@ -11,50 +11,94 @@
 // Worked example: a square that fills the half space. Four arcs of 90 degrees lie in the horizon, m = n, so the cosine's integral is
 // half of 2 pi. With w = n: c is 0 and h 1 all along them, and the moment is 2 pi / (k + 2).
 #define LIGHT_HAS_AREAS
-const int AREA_CORNERS = 9; // of a parallelogram that two planes cut, and rounding
 const float AREA_PI = 3.14159265358979;
 
+// A parallelogram as a point at the origin sees it: corner + s u + t v, s and t from 0 to 1; its corners in the order (0, 0), (1, 0), (1, 1), (0, 1) go round clockwise, so that cross products of
+// neighbours point inward.
 struct Area {
-    vec3 corners[AREA_CORNERS]; // clockwise, as the point sees them: cross products of neighbours point inward
-    int count;
-    float width; // of the whole parallelogram, over its least distance
+    vec3 corner, u, v;
+    float width; // of its longer edge, twice, over its nearest corner's distance
+    bool seen;   // else it turns its back, or the point is in its plane
 };
 
-// The parallelogram's corners from a point; nothing where it turns its back, or the point is in its plane.
+Area areaMeasured(vec3 corner, vec3 u, vec3 v, bool seen)
+{
+    float nearest = min(min(length(corner), length(corner + u)), min(length(corner + u + v), length(corner + v)));
+    return Area(corner, u, v, 2.0 * max(length(u), length(v)) / max(nearest, 1e-30), seen);
+}
+
 Area areaSeen(vec3 corner, vec3 u, vec3 v, bool bothSides)
 {
-    Area area;
-    float size = max(length(u), length(v));
-    float scale = 1.0 / max(length(corner), size); // of any size, and squares are numbers
+    float scale = 1.0 / max(length(corner), max(length(u), length(v))); // of any size, and squares are numbers
     corner *= scale;
     u *= scale;
     v *= scale;
     vec3 face = cross(u, v);
     float height = dot(face, corner); // above 0: the point is behind it
     bool turned = bothSides && height > 0.0;
-    vec3 second = turned ? u : v, last = turned ? v : u;
-    area.corners[0] = corner;
-    area.corners[1] = corner + second;
-    area.corners[2] = corner + u + v;
-    area.corners[3] = corner + last;
-    float nearest = min(min(length(corner), length(area.corners[1])), min(length(area.corners[2]), length(area.corners[3])));
-    area.width = 2.0 * size * scale / max(nearest, 1e-30);
-    area.count = (bothSides ? abs(height) : -height) > 1e-6 * length(face) ? 4 : 0;
-    return area;
+    return areaMeasured(corner, turned ? u : v, turned ? v : u, (bothSides ? abs(height) : -height) > 1e-6 * length(face));
 }
 
-// What of it is in the half space of a normal.
-Area areaClip(Area area, vec3 normal)
+// The parallelogram in other directions: each times a matrix.
+Area areaInto(Area area, mat3 into) { return areaMeasured(into * area.corner, into * area.u, into * area.v, area.seen); }
+
+// Half spaces, by what they leave of a parallelogram: (s, t) where h.x + h.y s + h.z t is not below 0.
+const vec3 AREA_ALL = vec3(1.0, 0.0, 0.0);
+vec3 areaHalf(Area area, vec3 normal) { return vec3(dot(area.corner, normal), dot(area.u, normal), dot(area.v, normal)); }
+float areaLowest(vec3 h) { return h.x + min(h.y, 0.0) + min(h.z, 0.0); }
+float areaHighest(vec3 h) { return h.x + max(h.y, 0.0) + max(h.z, 0.0); }
+vec2 areaHeights(vec4 line, vec3 h) { return h.x + vec2(dot(h.yz, line.xy), dot(h.yz, line.zw)); }
+
+// Lines from (s, t) to (s, t): an edge; where a line crosses the border of a half space; what of it is within, or a line of no length.
+vec4 areaEdge(int i) { return i < 2 ? i < 1 ? vec4(0.0, 0.0, 1.0, 0.0) : vec4(1.0, 0.0, 1.0, 1.0) : i < 3 ? vec4(1.0, 1.0, 0.0, 1.0) : vec4(0.0, 1.0, 0.0, 0.0); }
+vec2 areaCrossing(vec4 line, vec2 heights) { return mix(line.xy, line.zw, heights.x / (heights.x - heights.y)); }
+vec4 areaWithin(vec4 line, vec3 h)
 {
-    Area left = Area(area.corners, 0, area.width);
-    for (int i = 0; i < area.count; i++) {
-        vec3 a = area.corners[i], b = area.corners[i + 1 < area.count ? i + 1 : 0];
-        float high = dot(a, normal), next = dot(b, normal);
-        if (high >= 0.0 && left.count < AREA_CORNERS) left.corners[left.count++] = a;
-        if ((high >= 0.0) != (next >= 0.0) && left.count < AREA_CORNERS)
-            left.corners[left.count++] = a + (b - a) * (high / (high - next));
-    }
-    return left;
+    vec2 heights = areaHeights(line, h);
+    if (max(heights.x, heights.y) < 0.0) return line.xyxy;
+    if (min(heights.x, heights.y) >= 0.0) return line;
+    vec2 crossing = areaCrossing(line, heights);
+    return heights.x < 0.0 ? vec4(crossing, line.zw) : vec4(line.xy, crossing);
+}
+
+// The border of what two half spaces leave, one cut behind the other, so that it is closed even where they are the same: the parts of the edges, and what closes them along the first and then along the
+// second, from where lines leave a half space to where they come back.
+//   Worked example, h = (-0.25, 1, 0): s is 0.25 or more. Edge 0 is from (0.25, 0) to (1, 0), edge 2 from (1, 1) to (0.25, 1), edge 3 has no length, and from (0.25, 1) to (0.25, 0) it is closed.
+const int AREA_LINES = 6;
+struct AreaBorder {
+    vec3 first, second;
+    vec4 closing, last;
+};
+
+void areaClose(vec4 line, vec3 h, inout vec4 closing)
+{
+    vec2 heights = areaHeights(line, h);
+    if ((heights.x < 0.0) == (heights.y < 0.0)) return;
+    vec2 crossing = areaCrossing(line, heights);
+    if (heights.x < 0.0) closing.zw = crossing;
+    else closing.xy = crossing;
+}
+
+vec4 areaFirst(AreaBorder border, int i)
+{
+    if (i == 4) return border.closing;
+    return areaWithin(areaEdge(i), border.first);
+}
+
+AreaBorder areaBorder(vec3 first, vec3 second)
+{
+    AreaBorder border = AreaBorder(first, second, vec4(0.0), vec4(0.0));
+    if (areaLowest(first) < 0.0)
+        for (int i = 0; i < 4; i++) areaClose(areaEdge(i), first, border.closing);
+    if (areaLowest(second) < 0.0)
+        for (int i = 0; i < 5; i++) areaClose(areaFirst(border, i), second, border.last);
+    return border;
+}
+
+vec4 areaLine(AreaBorder border, int i)
+{
+    if (i == 5) return border.last;
+    return areaWithin(areaFirst(border, i), border.second);
 }
 
 // -ln(1 - q) / q
@@ -63,26 +107,22 @@ float areaLogarithm(float q)
     return q < 0.015625 ? 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * 0.25)) : -log(max(1.0 - q, 1e-30)) / q;
 }
 
-// Seven points of each triangle (Radon's rule, exact for powers to the fifth): the middle, and two on each line from there to a corner, in
-// shares of that line. Arcs would lose a small polygon's area, which is what is left of their sum, to rounding.
+// Gauss' points, three each way, of all of it. Arcs would lose a small polygon's area, which is what is left of their sum, to rounding.
 float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
 {
-    const float PLACE[3] = float[3](0.0, -0.4104261923, 0.6961404780);
-    const float WEIGHT[3] = float[3](0.225, 0.1323941528, 0.1259391805);
+    const float PLACE[3] = float[3](0.1127016654, 0.5, 0.8872983346);
+    const float WEIGHT[3] = float[3](5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0);
+    vec3 face = cross(area.u, area.v);
     float sum = 0.0;
-    for (int i = 1; i + 1 < area.count; i++) {
-        vec3 a = area.corners[0], b = area.corners[i], c = area.corners[i + 1];
-        vec3 face = cross(b - a, c - a), middle = (a + b + c) / 3.0;
-        for (int k = 0; k < 7; k++) {
-            vec3 p = mix(middle, k % 3 == 0 ? a : k % 3 == 1 ? b : c, PLACE[(k + 2) / 3]);
-            float square = dot(p, p);
-            vec3 d = p * inversesqrt(square), across = cross(w, d);
-            float q = min(dot(across, across), 1.0);
-            float power = exponent > 0.0 ? dot(w, d) > 0.0 ? exp(-0.5 * exponent * q * areaLogarithm(q)) : 0.0 : 1.0;
-            sum += WEIGHT[(k + 2) / 3] * max(dot(normal, d) * dot(face, d), 0.0) / square * power;
-        }
+    for (int k = 0; k < 9; k++) {
+        vec3 p = area.corner + PLACE[k % 3] * area.u + PLACE[k / 3] * area.v;
+        float square = dot(p, p);
+        vec3 d = p * inversesqrt(square), across = cross(w, d);
+        float q = min(dot(across, across), 1.0);
+        float power = exponent > 0.0 ? dot(w, d) > 0.0 ? exp(-0.5 * exponent * q * areaLogarithm(q)) : 0.0 : 1.0;
+        sum += WEIGHT[k % 3] * WEIGHT[k / 3] * max(dot(normal, d) * dot(face, d), 0.0) / square * power;
     }
-    return sum / (2.0 * AREA_PI);
+    return sum / AREA_PI;
 }
 
 // Of a sine, not below 0, and a cosine, of any length; from 0 to pi, within 2e-7 of itself, where a driver's arctangent may have less. A
@@ -96,26 +136,32 @@ float areaAngle(float sine, float cosine)
     return cosine < 0.0 ? AREA_PI - 4.0 * t * sum : 4.0 * t * sum;
 }
 
-// The integral of the cosine over pi, of a polygon above the horizon of the normal: the share of the light that would fill the half space.
-float areaCosine(Area area, vec3 normal)
+// The integral of the cosine over pi, of what is above the horizon of the normal and in another half space: the share of the light that would fill the first.
+float areaCosine(Area area, vec3 normal, vec3 other)
 {
-    if (area.width < 0.3) return areaPoints(area, normal, normal, 0.0);
+    vec3 above = areaHalf(area, normal);
+    bool whole = min(areaLowest(above), areaLowest(other)) >= 0.0;
+    if (min(areaHighest(above), areaHighest(other)) <= 0.0 || !area.seen) return 0.0;
+    if (whole && area.width < 0.3) return areaPoints(area, normal, normal, 0.0);
+    AreaBorder border = areaBorder(above, other);
     float sum = 0.0;
-    for (int i = 0; i < area.count; i++) {
-        vec3 a = area.corners[i], b = area.corners[i + 1 < area.count ? i + 1 : 0];
-        vec3 m = cross(a, b - a);
+    for (int i = 0; i < (whole ? 4 : AREA_LINES); i++) {
+        vec4 line = areaLine(border, i);
+        vec2 way = line.zw - line.xy;
+        vec3 a = area.corner + line.x * area.u + line.y * area.v, step_ = way.x * area.u + way.y * area.v;
+        vec3 m = cross(a, step_);
         float sine = length(m);
-        if (sine > 0.0) sum += areaAngle(sine, dot(a, b)) * (dot(m, normal) / sine);
+        if (sine > 0.0) sum += areaAngle(sine, dot(a, a + step_)) * (dot(m, normal) / sine);
     }
     return max(sum, 0.0) / (2.0 * AREA_PI);
 }
 
 // An arc's share of the moment; see above.
-float areaArc(vec3 a, vec3 b, vec3 normal, vec3 w, float exponent)
+float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
 {
     const float PLACE[4] = float[4](0.1834346425, 0.5255324099, 0.7966664774, 0.9602898565);
     const float WEIGHT[4] = float[4](0.3626837834, 0.3137066459, 0.2223810345, 0.1012285363);
-    vec3 m = cross(a, b - a);
+    vec3 m = cross(a, step_), b = a + step_;
     float sine = length(m);
     if (sine <= 0.0) return 0.0;
     m /= sine;
@@ -140,29 +186,20 @@ float areaArc(vec3 a, vec3 b, vec3 normal, vec3 w, float exponent)
     return sum * half_ * r;
 }
 
-// The integral of (w.u)^exponent (normal.u) over pi, of what of a polygon above the horizon of the normal is in the half space of w, too.
-float areaLobe(Area area, vec3 normal, vec3 w, float exponent)
+// The integral of (w.u)^exponent (normal.u) over pi, of what is in a half space and in that of w, too.
+float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
 {
     bool even = exponent <= 0.0; // what is left is areaCosine, which needs no text of its own here: compilers take seconds for each
-    if (area.width * area.width * (exponent + 1.0) < (even ? 0.09 : 0.3)) return areaPoints(area, normal, w, exponent);
-    Area seen = areaClip(area, even ? normal : w);
+    if (areaHighest(above) <= 0.0 || !area.seen) return 0.0;
+    if (areaLowest(above) >= 0.0 && area.width * area.width * (exponent + 1.0) < (even ? 0.09 : 0.3)) return areaPoints(area, normal, w, exponent);
+    AreaBorder border = areaBorder(above, areaHalf(area, even ? normal : w));
     float sum = 0.0;
-    for (int i = 0; i < seen.count; i++)
-        sum += areaArc(seen.corners[i], seen.corners[i + 1 < seen.count ? i + 1 : 0], normal, w, exponent);
-    return max(sum, 0.0) / ((exponent + 2.0) * AREA_PI);
-}
-
-// The polygon in other directions: each times a matrix. What of it is above their horizon.
-Area areaInto(Area area, mat3 into)
-{
-    float longest = 0.0, nearest = 1e30;
-    for (int i = 0; i < area.count; i++) area.corners[i] = into * area.corners[i];
-    for (int i = 0; i < area.count; i++) {
-        longest = max(longest, distance(area.corners[i], area.corners[i + 1 < area.count ? i + 1 : 0]));
-        nearest = min(nearest, length(area.corners[i]));
+    for (int i = 0; i < AREA_LINES && areaHighest(border.second) > 0.0; i++) {
+        vec4 line = areaLine(border, i);
+        vec2 way = line.zw - line.xy;
+        sum += areaArc(area.corner + line.x * area.u + line.y * area.v, way.x * area.u + way.y * area.v, normal, w, exponent);
     }
-    area.width = 2.0 * longest / max(nearest, 1e-30);
-    return areaClip(area, vec3(0.0, 0.0, 1.0));
+    return max(sum, 0.0) / ((exponent + 2.0) * AREA_PI);
 }
 
 // What a surface sends of light that arrives on one side of it: evenly, and around an axis, the cosine's power counted in; or, where the exponent is below 0, evenly of
@@ -182,10 +219,12 @@ AreaSide areaPowers(vec3 normal, vec3 even, vec3 gloss, vec3 axis, vec3 across, 
 vec3 areaOfSide(Area light, AreaSide side)
 {
     bool into = side.exponent < 0.0;
-    Area part = areaClip(light, side.normal), seen = part;
-    if (into) seen = areaInto(part, side.into);
-    vec3 sum = vec3(0.0);
-    if (any(greaterThan(side.even, vec3(0.0)))) sum = side.even * areaCosine(seen, into ? vec3(0.0, 0.0, 1.0) : side.normal);
-    if (!into && any(greaterThan(side.gloss, vec3(0.0)))) sum += side.gloss * areaLobe(part, side.across, side.axis, side.exponent);
+    vec3 above = areaHalf(light, side.normal), sum = vec3(0.0);
+    if (any(greaterThan(side.even, vec3(0.0)))) {
+        Area seen = light;
+        if (into) seen = areaInto(light, side.into);
+        sum = side.even * areaCosine(seen, into ? vec3(0.0, 0.0, 1.0) : side.normal, into ? above : AREA_ALL);
+    }
+    if (!into && any(greaterThan(side.gloss, vec3(0.0)))) sum += side.gloss * areaLobe(light, above, side.across, side.axis, side.exponent);
     return sum;
 }
