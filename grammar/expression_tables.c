@@ -16,18 +16,17 @@ const TermRow term_table[TERM_COUNT] = {
 #include "expression.def"
 };
 
-char term_result(const TermRow *row) { return strchr(row->signature, '>')[1]; }
+char term_result(const TermRow *row) { return row->signature[row->count + 1]; } /* behind the arguments and '>' */
 
-static bool is_named(const char *row, const char *name, size_t size)
-{
-    return *row == *name && strlen(row) == size && !memcmp(row, name, size); /* the first letter rules most out */
-}
+/* Whether `name`, of `size` letters, is a row's: written out row by row, so that the compiler compares with numbers that it knows. */
+#define IS(row) (size == sizeof #row - 1 && !memcmp(name, #row, sizeof #row - 1))
 
 Term term_named(const char *name, size_t size)
 {
-    for (int i = 0; i < TERM_COUNT; i++)
-        if (term_table[i].callable && is_named(term_table[i].name, name, size))
-            return (Term)i;
+#define FUNCTION(name, ...)                                                                                            \
+    if (IS(name))                                                                                                      \
+        return TERM_##name;
+#include "expression.def"
     return TERM_none;
 }
 
@@ -37,6 +36,18 @@ const SymbolRow symbol_table[] = {
 #include "expression.def"
 };
 const int symbol_count = sizeof symbol_table / sizeof *symbol_table;
+
+int symbol_begun(const char *text)
+{
+    int row = 0;
+#define SYMBOL(symbol, ...)                                                                                            \
+    if (text[0] == symbol[0] && (!symbol[1] || text[1] == symbol[1]))                                                  \
+        return row;                                                                                                    \
+    row++;
+#define PREFIX SYMBOL
+#include "expression.def"
+    return row;
+}
 
 const char *term_symbol(Term term)
 {
@@ -55,9 +66,12 @@ const QuantityRow quantity_table[QUANTITY_COUNT] = {
 
 Quantity quantity_named(const char *name, size_t size)
 {
-    for (int i = 0; i < QUANTITY_COUNT; i++)
-        if (is_named(quantity_table[i].name, name, size))
-            return (Quantity)i;
+#define QUANTITY(name, ...)                                                                                            \
+    if (IS(name))                                                                                                      \
+        return QUANTITY_##name;
+#define CONSTANT  QUANTITY
+#define ATTRIBUTE QUANTITY
+#include "expression.def"
     return QUANTITY_none;
 }
 
@@ -75,9 +89,10 @@ const int vector_count = sizeof vector_table / sizeof *vector_table;
 
 int vector_named(const char *name, size_t size)
 {
-    for (int i = 0; i < vector_count; i++)
-        if (is_named(vector_table[i].name, name, size))
-            return vector_table[i].width;
+#define VECTOR(name, lanes, doc)                                                                                       \
+    if (IS(name))                                                                                                      \
+        return lanes;
+#include "expression.def"
     return 0;
 }
 
@@ -88,9 +103,10 @@ const FormulaSpecialRow formula_special_table[SPECIAL_COUNT] = {
 
 FormulaSpecial formula_special_named(const char *name, size_t size)
 {
-    for (int i = 0; i < SPECIAL_COUNT; i++)
-        if (is_named(formula_special_table[i].name, name, size))
-            return (FormulaSpecial)i;
+#define SPECIAL(name, ...)                                                                                             \
+    if (IS(name))                                                                                                      \
+        return SPECIAL_##name;
+#include "expression.def"
     return SPECIAL_none;
 }
 

@@ -54,6 +54,8 @@ typedef struct {
 /* Longer ones before those that they begin with. */
 extern const SymbolRow symbol_table[];
 extern const int symbol_count;
+/* The first of symbol_table that the text, of one byte and a zero byte at least, begins with; symbol_count: none. */
+int symbol_begun(const char *text);
 /* The symbol of a term, or its name. */
 const char *term_symbol(Term term);
 

@@ -42,22 +42,68 @@ static void a_simple_node_is_asked_once(void **state)
     arena_free(&arena);
 }
 
+static Ir *ir_of(Session *session, const char *text)
+{
+    Tree *tree;
+    Job job;
+    const Source source = {.name = "rounds.yaml", .text = text, .size = strlen(text)};
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
+    assert_null(choice_job(session->options, &job));
+    const Graph *graph = compile_front(session, 0, &tree);
+    assert_non_null(graph);
+    Ir *ir = compile_ir(session, graph, graph->materials[0].node, &job);
+    assert_non_null(ir);
+    return ir;
+}
+
+typedef struct {
+    bool (*may)(const Ir *ir, Ref ref);
+    IrRewrite *rewrite;
+} AskedRule;
+
+/* Of the IR as lowering makes it, of which every rule changes something: a node that a glance spares a rule, the rule leaves. */
+static void a_rule_leaves_what_it_is_not_asked_of(void **state)
+{
+    static const AskedRule rules[] = {{opt_may_fold, opt_rewrite_fold},
+                                      {opt_may_swizzle, opt_rewrite_swizzle},
+                                      {opt_may_select, opt_rewrite_select},
+                                      {opt_may_power, opt_rewrite_power}};
+    enum { RULE_COUNT = sizeof rules / sizeof *rules };
+    static const char text[] = "material: Phong\n"
+                               "diffuse: \"= a = p.zyx * pow(max(u, .1), .5); b = 2 > 1 ? a : [u, v, .5]; c = u > .5 ? 1 : 2;"
+                               " mix(b, [3 * c, v / (1 + c), (u > v ? u : v) ^ 3], fract(4 * u))\"\n"
+                               "shininess: { map: Granite, input: { map: UVTransform, scaleU: 2 } }\n";
+    int spared = 0, changed[RULE_COUNT] = {0};
+    Arena arena = {0};
+    MatcOptions options;
+    (void)state;
+    matc_options_init(&options);
+    Session session = {.options = &options, .arena = &arena};
+    Ir *ir = ir_of(&session, text);
+    const Uses uses = opt_uses(ir, &arena);
+    for (Ref ref = 1; ref < uses.count; ref++)
+        for (int i = 0; i < RULE_COUNT; i++) {
+            const bool leaves = rules[i].rewrite(ir, ref, &uses) == ref, asked = rules[i].may(ir, ref);
+            assert_true(leaves || asked);
+            spared += !asked;
+            changed[i] += !leaves;
+        }
+    for (int i = 0; i < RULE_COUNT; i++)
+        assert_true(changed[i] > 0);
+    assert_true(spared > 2 * (int)uses.count); /* of four */
+    ir_done(ir);
+    arena_free(&arena);
+}
+
 /* How often a pass ran over a document's program, and how many nodes are left. */
 static int runs_of(const char *text, const char *pass, int *nodes)
 {
     Arena arena = {0};
     MatcOptions options;
-    Tree *tree;
-    Job job;
     int runs = 0;
     matc_options_init(&options);
     Session session = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
-    const Source source = {.name = "rounds.yaml", .text = text, .size = strlen(text)};
-    ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
-    assert_null(choice_job(&options, &job));
-    const Graph *graph = compile_front(&session, 0, &tree);
-    assert_non_null(graph);
-    assert_non_null(compile_ir(&session, graph, graph->materials[0].node, &job));
+    ir_of(&session, text);
     for (size_t i = 0; i < session.stat_count; i++) {
         runs += !strcmp(session.stats[i].name, pass);
         *nodes = session.stats[i].nodes ? session.stats[i].nodes : *nodes;
@@ -90,6 +136,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_simple_node_is_asked_once),
+        cmocka_unit_test(a_rule_leaves_what_it_is_not_asked_of),
         cmocka_unit_test(rounds_end_where_nothing_is_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

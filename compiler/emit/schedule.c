@@ -81,21 +81,29 @@ static void assign_blocks(const Ir *ir, Schedule *s, const Ref *roots, int count
         int block = s->block[ref];
         s->next[ref] = s->blocks[block].first;
         s->blocks[block].first = ref;
-        s->blocks[block].cost += node_cost(ir, ref);
         bound_depth(s, ref);
         if (s->branch[ref])
             use_arms(ir, s, ref);
         for (int i = 0; !s->branch[ref] && i < ir_at(ir, ref)->count; i++)
             use(s, ir_arg(ir, ref, i), block);
     }
+}
+
+static void add_costs(const Ir *ir, Schedule *s)
+{
+    for (size_t i = 0; i < s->nodes.count; i++)
+        s->blocks[s->block[s->nodes.at[i]]].cost += node_cost(ir, s->nodes.at[i]);
     for (size_t b = s->block_count - 1; b > 0; b--)
         s->blocks[s->blocks[b].parent].cost += s->blocks[b].cost;
 }
 
 /* Keeps as branches the selects with an arm that is worth skipping. */
-static bool demote(Schedule *s)
+static bool demote(const Ir *ir, Schedule *s)
 {
     bool demoted = false;
+    if (s->block_count == 1)
+        return false;
+    add_costs(ir, s);
     for (size_t i = 0; i < s->nodes.count; i++) {
         Ref ref = s->nodes.at[i];
         if (!s->branch[ref])
@@ -132,6 +140,6 @@ void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branc
     for (size_t i = 0; i < s->nodes.count; i++)
         s->branch[s->nodes.at[i]] = branches && has_arms(ir, s->nodes.at[i]);
     assign_blocks(ir, s, roots, count);
-    if (demote(s))
+    if (demote(ir, s))
         assign_blocks(ir, s, roots, count);
 }

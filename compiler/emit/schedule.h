@@ -8,7 +8,7 @@
 typedef struct {
     int parent, depth; /* block 0 is the scope itself */
     Ref first;         /* its nodes in order, linked by Schedule.next */
-    double cost;       /* of its nodes and the blocks in it */
+    double cost;       /* of its nodes and the blocks in it; where there is more than one block */
 } Block;
 
 /* The arrays by Ref serve one scope after the other. */

@@ -101,8 +101,7 @@ static int read_lanes(FormulaReader *r, double lanes[FORMULA_MOST_LANES])
     if (formula_is(r, "["))
         return read_list(r, lanes);
     if (r->token.kind == TOKEN_color) {
-        const int count = r->token.lanes;
-        memcpy(lanes, r->token.color, sizeof r->token.color);
+        const int count = formula_color(r->s, &r->token, lanes);
         formula_next(r);
         return count;
     }

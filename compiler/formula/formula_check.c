@@ -58,8 +58,7 @@ static int find_attribute(Check *c, FormulaStep *step, const QuantityRow *row)
 static int find_name(Check *c, FormulaStep *step)
 {
     const uint32_t size = step->end - step->start;
-    const char *name = arena_string(c->session->arena, c->s->text + step->start, size);
-    const Quantity quantity = quantity_named(name, size);
+    const Quantity quantity = quantity_named(c->s->text + step->start, size);
     int width = 0;
     if (quantity != QUANTITY_none) {
         const QuantityRow *row = &quantity_table[quantity];
@@ -71,6 +70,7 @@ static int find_name(Check *c, FormulaStep *step)
         c->f->groups |= row->lanes ? 1u << row->group : 0;
         return quantity_width(quantity);
     }
+    const char *name = arena_string(c->session->arena, c->s->text + step->start, size);
     const int input = c->s->input(c->s->user, name, step, &width);
     if (input >= 0) {
         step->kind = FORMULA_input;
@@ -129,12 +129,12 @@ static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *w
     const int width = given->width, wanted = letter >= '1' && letter <= '4' ? letter - '0'
                                              : letter == 'b'                ? WIDTH_condition
                                                                             : letter == 'i';
-    const char *symbol = term_symbol((Term)step->row);
     if (letter == 'i')
         return check_whole(c, step, row, given);
     if (letter == 'g' && width != WIDTH_condition) {
         if (*widest > 1 && width > 1 && width != *widest) {
-            diag_add(c->session, span_of(c, step), DIAG_formula_widths, symbol, width_text(*widest), width_text(width));
+            diag_add(c->session, span_of(c, step), DIAG_formula_widths, term_symbol((Term)step->row),
+                     width_text(*widest), width_text(width));
             return false;
         }
         *widest = width > *widest ? width : *widest;
@@ -142,7 +142,7 @@ static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *w
     }
     if (letter != 'g' && (width == wanted || (width == 1 && wanted > 1)))
         return true;
-    diag_add(c->session, span_of(c, step), DIAG_formula_argument, symbol,
+    diag_add(c->session, span_of(c, step), DIAG_formula_argument, term_symbol((Term)step->row),
              letter == 'g' ? "numbers" : width_text(wanted), width_text(width));
     return false;
 }

@@ -2,6 +2,7 @@
 #include "compiler/base/diag.h"
 #include "compiler/base/text.h"
 #include "compiler/formula/formula_lex.h"
+#include <string.h>
 
 const char *formula_foreign(Session *session, const char *name)
 {

@@ -38,22 +38,27 @@ static void read_number(const FormulaSource *s, Token *token)
                       : TOKEN_other;
 }
 
-/* Behind the '#'. */
-static void read_color(const FormulaSource *s, Token *token)
+/* '#' and three, six or eight digits. */
+static bool is_color(const FormulaSource *s, const Token *token)
+{
+    const uint32_t size = formula_token_size(*token) - 1;
+    bool digits = size == 3 || size == 6 || size == 8;
+    for (uint32_t i = 1; digits && i <= size; i++)
+        digits = text_hex_digit(s->text[token->start + i]) >= 0;
+    return digits;
+}
+
+int formula_color(const FormulaSource *s, const Token *token, double color[4])
 {
     const char *digits = s->text + token->start + 1;
     const uint32_t size = formula_token_size(*token) - 1;
-    const int each = size == 3 ? 1 : 2;
-    token->lanes = size == 8 ? 4 : 3;
-    token->kind = size == 3 || size == 6 || size == 8 ? TOKEN_color : TOKEN_other;
-    for (int i = 0; token->kind == TOKEN_color && i < token->lanes; i++) {
-        const int high = text_hex_digit(digits[i * each]), low = text_hex_digit(digits[i * each + each - 1]);
-        if (high < 0 || low < 0)
-            token->kind = TOKEN_other;
-        token->color[i] = (high * 16 + low) / 255.0;
+    const int each = size == 3 ? 1 : 2, lanes = size == 8 ? 4 : 3;
+    for (int i = 0; i < lanes; i++) {
+        color[i] = (text_hex_digit(digits[i * each]) * 16 + text_hex_digit(digits[i * each + each - 1])) / 255.0;
         if (s->srgb && i < 3)
-            token->color[i] = srgb_decode(token->color[i]);
+            color[i] = srgb_decode(color[i]);
     }
+    return lanes;
 }
 
 /* No operator begins with it. */
@@ -70,11 +75,9 @@ static uint32_t symbol_end(const FormulaSource *s, uint32_t at, int *symbol)
         return at + 1;
     if (formula_begins(s, at, "**"))
         return at + 2;
-    for (int i = 0; i < symbol_count; i++)
-        if (symbol_table[i].text[0] == c && formula_begins(s, at, symbol_table[i].text)) {
-            *symbol = i;
-            return at + (uint32_t)strlen(symbol_table[i].text);
-        }
+    *symbol = symbol_begun(s->text + at);
+    if (*symbol < symbol_count)
+        return at + (symbol_table[*symbol].text[1] ? 2 : 1);
     return c == '=' ? at + 1 : at;
 }
 
@@ -101,14 +104,15 @@ Token formula_token(const FormulaSource *s, uint32_t at)
     } else if (text_is_letter(c) || c == '_' || c == '#') {
         while (token.end < s->size && is_word(s->text[token.end]))
             token.end++;
-        token.kind = TOKEN_name;
-        if (c == '#')
-            read_color(s, &token);
+        token.kind = c != '#' ? TOKEN_name : is_color(s, &token) ? TOKEN_color : TOKEN_other;
     } else if ((c == '"' || c == '\'') && text_end(s, at) > at) {
         token.kind = TOKEN_text;
         token.end = text_end(s, at);
     } else if ((token.end = symbol_end(s, at, &token.symbol)) > at) {
-        token.kind = formula_begins(s, at, "**") ? TOKEN_other : TOKEN_symbol;
+        const char symbol[] = {c, token.end > at + 1 ? s->text[at + 1] : 0};
+        const bool foreign = formula_mark(symbol) == formula_mark("**");
+        token.kind = foreign ? TOKEN_other : TOKEN_symbol;
+        token.mark = foreign ? 0 : formula_mark(symbol);
     } else {
         const int size = text_utf8_length(bytes + at, bytes + s->size);
         token.kind = TOKEN_other;

@@ -2,12 +2,11 @@
 #ifndef MATC_FORMULA_LEX_H
 #define MATC_FORMULA_LEX_H
 #include "compiler/formula/formula.h"
-#include <string.h>
 
 typedef enum {
     TOKEN_end,
     TOKEN_number, /* number */
-    TOKEN_color,  /* lanes of color */
+    TOKEN_color,  /* formula_color */
     TOKEN_name,
     TOKEN_text,   /* in quotes, of either kind, which belong to it */
     TOKEN_symbol, /* operators, brackets, and , ; = ? : . */
@@ -17,10 +16,9 @@ typedef enum {
 typedef struct {
     TokenKind kind;
     uint32_t start, end; /* bytes */
+    uint16_t mark;       /* formula_mark of a symbol; 0: it is none */
     int symbol;          /* the first of symbol_table that it is; symbol_count: it is none */
     double number;
-    int lanes;
-    double color[4];
 } Token;
 
 /* The token that begins at that byte or behind the space there. */
@@ -33,13 +31,14 @@ static inline bool formula_begins(const FormulaSource *source, uint32_t at, cons
         at++, word++;
     return !*word;
 }
-/* Whether the token is this symbol. */
-static inline bool formula_token_is(const FormulaSource *source, const Token *token, const char *symbol)
+/* A symbol as one number: no symbol has more than two bytes. */
+static inline uint16_t formula_mark(const char *symbol)
 {
-    const size_t size = strlen(symbol);
-    return token->kind == TOKEN_symbol && formula_token_size(*token) == size &&
-           !memcmp(source->text + token->start, symbol, size);
+    return (uint16_t)((uint8_t)symbol[0] | (uint8_t)symbol[1] << 8);
 }
+static inline bool formula_token_is(const Token *token, const char *symbol) { return token->mark == formula_mark(symbol); }
+/* How many lanes a colour has, and what they are. */
+int formula_color(const FormulaSource *source, const Token *token, double color[4]);
 /* For messages: 'sin', or the end of the formula. */
 const char *formula_token_text(const FormulaSource *source, Token token);
 /* "; here it is mix(a, b, share)": of a name that nothing has. NULL: it is not known from anywhere else. formula_foreign.c */

@@ -34,7 +34,7 @@ static void open_call(FormulaReader *r, Token name)
 /* A local's own step, or what the check finds. */
 static void read_name(FormulaReader *r, Token name)
 {
-    const int local = names_find(&r->locals, formula_word(r, name));
+    const int local = r->locals.count ? names_find(&r->locals, formula_word(r, name)) : -1;
     if (local >= 0)
         formula_push(r, r->local_steps[local]);
     else
@@ -44,13 +44,15 @@ static void read_name(FormulaReader *r, Token name)
 static void push_color(FormulaReader *r)
 {
     uint32_t lanes[4];
+    double color[4];
+    const int count = formula_color(r->s, &r->token, color);
     FormulaStep step = {.kind = FORMULA_number, .start = r->token.start, .end = r->token.end};
-    for (int i = 0; i < r->token.lanes; i++) {
-        step.number = r->token.color[i];
+    for (int i = 0; i < count; i++) {
+        step.number = color[i];
         lanes[i] = formula_add(r->session, r->f, step, NULL, 0);
     }
     step.kind = FORMULA_list;
-    formula_push(r, formula_add(r->session, r->f, step, lanes, (uint32_t)r->token.lanes));
+    formula_push(r, formula_add(r->session, r->f, step, lanes, (uint32_t)count));
 }
 
 void formula_say_other(FormulaReader *r)

@@ -152,7 +152,7 @@ static bool lacks_semicolon(const FormulaReader *r)
     for (uint32_t i = r->token.start; i > 0 && strchr(" \t\r\n", r->s->text[i - 1]); i--)
         line |= r->s->text[i - 1] == '\n';
     const Token next = formula_token(r->s, r->token.end);
-    return r->in_local && (line || (r->token.kind == TOKEN_name && formula_token_is(r->s, &next, "=")));
+    return r->in_local && (line || (r->token.kind == TOKEN_name && formula_token_is(&next, "=")));
 }
 
 /* "**" */

@@ -32,7 +32,7 @@ static bool is_local(const FormulaReader *r)
     if (r->token.kind != TOKEN_name)
         return false;
     const Token next = formula_token(r->s, r->token.end);
-    return formula_token_is(r->s, &next, "=");
+    return formula_token_is(&next, "=");
 }
 
 /* name "=" value */

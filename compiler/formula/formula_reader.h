@@ -39,7 +39,7 @@ static inline Span formula_token_span(const FormulaReader *r) { return formula_s
 static inline void formula_next(FormulaReader *r) { r->token = formula_token(r->s, r->token.end); }
 static inline bool formula_is(const FormulaReader *r, const char *symbol)
 {
-    return formula_token_is(r->s, &r->token, symbol);
+    return formula_token_is(&r->token, symbol);
 }
 static inline const char *formula_word(const FormulaReader *r, Token token)
 {

@@ -83,6 +83,12 @@ static uint32_t hash_node(const IrNode *node, const Ref *args)
 void ir_rehash(Ir *ir)
 {
     ir->ranges = NULL;
+    ir->moved = true;
+}
+
+static void rehash(Ir *ir)
+{
+    ir->moved = false;
     for (Ref ref = 1; ref < ir->count; ref++) {
         IrNode *node = &ir->nodes[ref];
         if (node->op != OP_const) /* a constant's hash is that of its numbers */
@@ -110,6 +116,8 @@ static bool equal_node(const Ir *ir, const IrNode *a, const IrNode *b, const Ref
 
 static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)
 {
+    if (ir->moved)
+        rehash(ir);
     uint32_t at = node->hash & ir->mask;
     for (; ir->table[at]; at = (at + 1) & ir->mask)
         if (equal_node(ir, &ir->nodes[ir->table[at]], node, args))
@@ -127,6 +135,8 @@ Ref ir_const(Ir *ir, Type type, const double *numbers)
     double own[4];
     for (size_t i = 0; i < lanes; i++)
         own[i] = numbers[i];
+    if (ir->moved)
+        rehash(ir);
     IrNode node = {.op = OP_const, .type = (uint8_t)type};
     node.hash = hash_bytes(mix_hash(OP_const, type), own, lanes * sizeof *own);
     uint32_t at = node.hash & ir->mask;
@@ -170,11 +180,11 @@ static Type type_by_rule(const Ir *ir, const IrNode *node, const Ref *args)
 
 Ref ir_make(Ir *ir, IrNode made, const Ref *args)
 {
-    IrNode node = {.op = made.op, .count = made.count, .payload = made.payload};
-    node.type = (uint8_t)type_by_rule(ir, &made, args);
-    node.hash = hash_node(&node, args);
-    Ref ref = find_or_add(ir, &node, args);
-    return ir->simplify && node.count && !ir->nodes[ref].simple ? ir->simplify(ir, ref) : ref;
+    made.type = (uint8_t)type_by_rule(ir, &made, args);
+    made.head = made.simple = made.decided = 0;
+    made.hash = hash_node(&made, args);
+    Ref ref = find_or_add(ir, &made, args);
+    return ir->simplify && made.count && !ir->nodes[ref].simple ? ir->simplify(ir, ref) : ref;
 }
 
 bool ir_is_number(const Ir *ir, Ref ref, double value)

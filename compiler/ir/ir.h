@@ -119,8 +119,7 @@ typedef struct Ir {
     Arena *arena;
     Arena scratch; /* of the sweep under way; reset by it, freed by ir_done */
     Arena kept;    /* of what is known from sweep to sweep; freed by ir_done */
-    const struct Ranges
-        *ranges; /* those that were found last, while nodes keep their numbers; NULL: none. By opt_range alone */
+    struct Ranges *ranges; /* those that were found, while nodes keep their numbers; NULL: none. By opt_range alone */
     IrNode *nodes;
     size_t count, room;
     Ref *args;
@@ -129,6 +128,7 @@ typedef struct Ir {
     size_t number_count, number_room;
     Ref *table; /* hash table of nodes, of its own kind: they hold their hashes, and nothing is asked as often */
     uint32_t mask;
+    bool moved; /* nodes were, or were changed: the table is built anew before it is asked */
     IrFunction *functions;
     size_t function_count, function_room;
     IrTexture *textures;
@@ -199,7 +199,7 @@ const IrOutput *ir_output_of(const Ir *ir, OutputKind kind);
 bool ir_is_of_fragments(const IrOutput *output);
 enum { KERNEL_POINTS = 27 }; /* of a function that a kernel sums */
 
-/* Builds the hash table anew after nodes moved or were changed. */
+/* Nodes moved or were changed: the hash table is built anew when the next one is made, which may be never. */
 void ir_rehash(Ir *ir);
 /* Marks the nodes that the outputs reach, through functions too: live[ref]. */
 uint8_t *ir_live(const Ir *ir, Arena *arena);

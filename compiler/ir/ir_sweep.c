@@ -26,10 +26,9 @@ static Moves new_moves(const Ir *ir, Arena *scratch)
     return moves;
 }
 
+/* On what stands for its operands. */
 static Ref remake(Ir *ir, Ref ref, const Moves *moves)
 {
-    if (!moves->any)
-        return ref;
     IrNode node = ir->nodes[ref];
     Ref args[UINT8_MAX];
     if (ir_applies(ir, ref))
@@ -72,7 +71,7 @@ bool ir_sweep_live(Ir *ir, const uint8_t *live, IrRewrite *rewrite, const void *
             continue;
         uint8_t head = ir->nodes[ref].head;
         ir->origin = ir->nodes[ref].origin;
-        Ref better = rewrite(ir, remake(ir, ref, &moves), user);
+        Ref better = rewrite(ir, moves.any ? remake(ir, ref, &moves) : ref, user);
         moves.node[ref] = better;
         if (better == ref)
             continue;

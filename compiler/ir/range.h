@@ -5,19 +5,21 @@
 #include "compiler/ir/ir.h"
 
 typedef struct Ranges {
-    Interval *of;          /* of each node that was looked at as many as it has lanes, or one */
+    Interval *of;          /* of each node that was looked at as many as it has lanes, or one; the first is of none */
+    size_t used, room;     /* of them */
     uint32_t *first;       /* by Ref: where in `of` its own begin; 0: it may be anything */
-    Ref count;             /* of nodes when they were found */
+    size_t first_room;     /* of them */
+    Ref count;             /* of nodes when they were found last */
     int lanes;             /* 1: one for all lanes of a node; FIELD_LANES: one a lane */
     struct Guards *guards; /* under way: range.c */
-    struct Seen *seen;     /* while they hold; NULL: `lanes` is 1 */
-    uint64_t *marks;       /* by Ref: of what conditions compare, what this node is made of; range_mark */
+    struct Seen *seen;     /* while they hold; NULL: there are none */
+    uint64_t *marks;       /* by Ref: of what conditions compare, what this node is made of; range_mark. NULL: likewise */
 } Ranges;
 
 /* Of all nodes, in the arena, where they are to be found. Arithmetic that rounds may pass a bound by a rounding's worth: 1e-5 of it. */
 Ranges range_find(const Ir *ir, Arena *arena, int lanes);
-/* Of live nodes; any other may be anything. What was found before of nodes that are there still is not found again; NULL: nothing was. */
-Ranges range_find_live(const Ir *ir, Arena *arena, int lanes, const uint8_t *live, const Ranges *before);
+/* Of live nodes; any other may be anything. What was found before, in the same arena, is not found again: all but `lanes` is zero if nothing was. */
+void range_find_live(Ranges *r, const Ir *ir, Arena *arena, const uint8_t *live);
 /* Something was found of it. */
 static inline bool range_is_found(const Ranges *r, Ref ref) { return ref < r->count && r->first[ref]; }
 /* Of what some values are made of. */

@@ -1,24 +1,25 @@
 /* The intervals of all nodes that are asked for, operands first. */
 #include "compiler/ir/range.h"
 #include <math.h>
-#include <string.h>
 
 static bool compares(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_lt) || ir_is(ir, ref, OP_le); }
 
-/* A bit for each node that a condition compares with something, all but 64 of them sharing theirs; and those of its operands. */
-static uint64_t *mark_compared(const Ir *ir, Arena *arena, const Ranges *r)
+static bool is_asked(const uint8_t *live, Ref ref) { return !live || live[ref]; }
+
+/* A bit for each node that a condition compares with something, all but 64 of them sharing theirs; and those of its operands. NULL: no
+ * condition does. */
+static uint64_t *mark_compared(const Ir *ir, Arena *arena, Ref count, const uint8_t *live)
 {
-    uint64_t *marks = ARENA_ARRAY(arena, uint64_t, r->count);
-    bool any = false;
-    for (Ref ref = 1; ref < r->count; ref++) {
-        if (!r->first[ref] || !compares(ir, ref))
+    uint64_t *marks = NULL;
+    for (Ref ref = 1; ref < count; ref++) {
+        if (!compares(ir, ref) || !is_asked(live, ref))
             continue;
-        any = true;
+        marks = marks ? marks : ARENA_ARRAY(arena, uint64_t, count);
         for (int i = 0; i < 2; i++)
             marks[ir_arg(ir, ref, i)] = range_mark(ir_arg(ir, ref, i));
     }
-    for (Ref ref = 1; any && ref < r->count; ref++) {
-        if (!r->first[ref])
+    for (Ref ref = 1; marks && ref < count; ref++) {
+        if (!is_asked(live, ref))
             continue;
         for (int i = 0; i < ir_at(ir, ref)->count; i++)
             marks[ref] |= marks[ir_arg(ir, ref, i)];
@@ -31,58 +32,46 @@ static uint64_t *mark_compared(const Ir *ir, Arena *arena, const Ranges *r)
 /* A sampler has no lane; of it, too, anything is said. */
 static int kept_lanes(const Ranges *r, const Ir *ir, Ref ref)
 {
-    return r->lanes == 1 || ir_lanes(ir, ref) == 0 ? 1 : ir_lanes(ir, ref);
+    const int lanes = ir_lanes(ir, ref);
+    return r->lanes == 1 || lanes == 0 ? 1 : lanes;
 }
 
-/* Room for the intervals of nodes below `count`: of those that are live; NULL: of all. */
-static Ranges make_room(const Ir *ir, Arena *arena, int lanes, Ref count, const uint8_t *live)
+static void compute(Ranges *r, const Ir *ir, Arena *arena, Ref ref)
 {
-    Ranges r = {.first = ARENA_ARRAY(arena, uint32_t, count), .count = count, .lanes = lanes};
-    uint32_t used = 1;
-    for (Ref ref = 1; ref < count; ref++)
-        if (!live || live[ref]) {
-            r.first[ref] = used;
-            used += (uint32_t)kept_lanes(&r, ir, ref);
-        }
-    r.of = arena_alloc(arena, used * sizeof *r.of);
-    return r;
-}
-
-/* Of as many lanes as `r` keeps. */
-static void keep_found(Ranges *r, const Ir *ir, Ref ref, const Ranges *before)
-{
-    memcpy(&r->of[r->first[ref]], &before->of[before->first[ref]], sizeof *r->of * (size_t)kept_lanes(r, ir, ref));
-}
-
-static void compute(Ranges *r, const Ir *ir, Ref ref)
-{
-    for (int lane = 0; lane < kept_lanes(r, ir, ref); lane++) {
+    const uint32_t first = (uint32_t)r->used;
+    for (int lane = 0, lanes = kept_lanes(r, ir, ref); lane < lanes; lane++) {
         const Interval range = range_computed(r, ir, ref, lane);
         const bool none = isnan(range.low) || isnan(range.high);
-        r->of[r->first[ref] + (uint32_t)lane] = none ? everything : range;
+        ARENA_PUSH(arena, r->of, r->used, r->room, none ? everything : range);
     }
+    r->first[ref] = first;
 }
 
-static Ranges find(const Ir *ir, Arena *arena, Ranges r, const Ranges *before)
+/* Of nodes below `count`: of those that are live; NULL: of all. */
+static void find(Ranges *r, const Ir *ir, Arena *arena, Ref count, const uint8_t *live)
 {
-    const int lanes = r.lanes;
-    if (lanes > 1) { /* all lanes as one know no guards */
-        r.seen = range_seen_new(arena);
-        r.marks = mark_compared(ir, arena, &r);
-    }
-    for (Ref ref = 1; ref < r.count; ref++)
-        if (r.first[ref] && before && range_is_found(before, ref))
-            keep_found(&r, ir, ref, before);
-        else if (r.first[ref])
-            compute(&r, ir, ref);
+    r->count = count;
+    r->first = arena_reach(arena, r->first, count, &r->first_room, sizeof *r->first);
+    r->marks = r->lanes > 1 ? mark_compared(ir, arena, count, live) : NULL; /* all lanes as one know no guards */
+    if (r->marks && !r->seen)
+        r->seen = range_seen_new(arena);
+    if (!r->used)
+        ARENA_PUSH(arena, r->of, r->used, r->room, everything);
+    for (Ref ref = 1; ref < count; ref++)
+        if (!r->first[ref] && is_asked(live, ref))
+            compute(r, ir, arena, ref);
+}
+
+Ranges range_find(const Ir *ir, Arena *arena, int lanes)
+{
+    Ranges r = {.lanes = lanes};
+    find(&r, ir, arena, (Ref)ir->count, NULL);
     return r;
 }
 
-Ranges range_find(const Ir *ir, Arena *arena, int lanes) { return range_find_live(ir, arena, lanes, NULL, NULL); }
-
-Ranges range_find_live(const Ir *ir, Arena *arena, int lanes, const uint8_t *live, const Ranges *before)
+void range_find_live(Ranges *r, const Ir *ir, Arena *arena, const uint8_t *live)
 {
-    return find(ir, arena, make_room(ir, arena, lanes, (Ref)ir->count, live), before);
+    find(r, ir, arena, (Ref)ir->count, live);
 }
 
 Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count)
@@ -94,5 +83,7 @@ Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots,
     for (int i = 0; i < count; i++)
         live[roots[i]] = 1;
     ir_live_below(ir, live, last);
-    return find(ir, arena, make_room(ir, arena, lanes, last + 1, live), NULL);
+    Ranges r = {.lanes = lanes};
+    find(&r, ir, arena, last + 1, live);
+    return r;
 }

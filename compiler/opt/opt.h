@@ -27,6 +27,18 @@ Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_swizzle(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_select(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user);
+/* Which nodes they may change, as far as a glance tells: most nodes most rules have nothing to say of. */
+static inline bool opt_may_fold(const Ir *ir, Ref ref)
+{
+    return ir_at(ir, ref)->count && ir_is(ir, ir_arg(ir, ref, 0), OP_const);
+}
+static inline bool opt_may_swizzle(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_swizzle) || ir_is(ir, ref, OP_vec); }
+static inline bool opt_may_select(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_select) || opt_may_fold(ir, ref) ||
+           (ir_at(ir, ref)->count && ir_is(ir, ir_arg(ir, ref, 0), OP_select));
+}
+static inline bool opt_may_power(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_pow) || ir_is(ir, ref, OP_call); }
 
 typedef struct {
     const uint32_t *uses;

@@ -18,6 +18,8 @@ static void keep_function(Ir *ir, size_t from, size_t to, const Ref *moved)
 static int *renumber_functions(const Ir *ir, const uint8_t *live, Arena *scratch)
 {
     int *number = ARENA_ARRAY(scratch, int, ir->function_count + 1), next = 0;
+    if (!ir->function_count)
+        return number;
     for (size_t f = 0; f < ir->function_count; f++)
         number[f] = -1;
     for (Ref ref = 1; ref < ir->count; ref++)
@@ -34,6 +36,8 @@ static uint32_t *compact_textures(Ir *ir, const uint8_t *live, Ref count, Arena 
 {
     uint32_t *number = ARENA_ARRAY(scratch, uint32_t, ir->texture_count + 1);
     uint8_t *sampled = ARENA_ARRAY(scratch, uint8_t, ir->texture_count + 1);
+    if (!ir->texture_count)
+        return number;
     for (Ref ref = 1; ref < count; ref++)
         if (live[ref] && ir_is(ir, ref, OP_texture) && ir_at(ir, ref)->payload < ir->texture_count)
             sampled[ir_at(ir, ref)->payload] = 1;

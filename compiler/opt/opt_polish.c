@@ -4,16 +4,36 @@
 
 enum { MOST_REWRITES = 16 };
 
+enum { FOLD, ALGEBRA, SWIZZLE, SELECT, POWER, RULE_COUNT };
+static IrRewrite *const rules[RULE_COUNT] = {opt_rewrite_fold, opt_rewrite_algebra, opt_rewrite_swizzle,
+                                             opt_rewrite_select, opt_rewrite_power};
+
+/* A bit for each rule that may change the node. */
+static unsigned rules_for(const Ir *ir, Ref ref)
+{
+    return (unsigned)opt_may_fold(ir, ref) << FOLD | 1u << ALGEBRA | (unsigned)opt_may_swizzle(ir, ref) << SWIZZLE |
+           (unsigned)opt_may_select(ir, ref) << SELECT | (unsigned)opt_may_power(ir, ref) << POWER;
+}
+
+/* Whatever is known of uses, no rule changes it, but for a swizzle, which goes by them. */
+static bool is_simple(const Ir *ir, Ref ref) { return ir_at(ir, ref)->simple || !ir_at(ir, ref)->count; }
+
+/* In turns, until none of them changes what the others left. */
 static Ref apply_rules(Ir *ir, Ref ref, const void *user)
 {
-    static IrRewrite *const rules[] = {opt_rewrite_fold, opt_rewrite_algebra, opt_rewrite_swizzle, opt_rewrite_select,
-                                       opt_rewrite_power};
-    enum { RULE_COUNT = sizeof rules / sizeof *rules };
+    unsigned asked = rules_for(ir, ref);
     int idle = 0;
-    for (int run = 0; idle < RULE_COUNT && run < MOST_REWRITES * RULE_COUNT; run++) {
-        Ref better = rules[run % RULE_COUNT](ir, ref, user);
-        idle = better == ref ? idle + 1 : 0;
+    for (int run = 0, rule = 0; idle < RULE_COUNT && run < MOST_REWRITES * RULE_COUNT; run++) {
+        const Ref better = asked >> rule & 1 ? rules[rule](ir, ref, user) : ref;
+        rule = rule + 1 < RULE_COUNT ? rule + 1 : 0;
+        idle++;
+        if (better == ref)
+            continue;
+        if (is_simple(ir, better) && !ir_is(ir, better, OP_swizzle))
+            return better;
         ref = better;
+        asked = rules_for(ir, ref);
+        idle = 0;
     }
     ir->nodes[ref].simple = idle == RULE_COUNT;
     return ref;
@@ -28,8 +48,7 @@ Ref opt_simplify(Ir *ir, Ref ref)
 /* Uses are told to rules of swizzles alone: any other node is as simple as when it was made. */
 static Ref polish(Ir *ir, Ref ref, const void *user)
 {
-    const bool simple = ir_at(ir, ref)->simple || !ir_at(ir, ref)->count;
-    if (simple && (!ir_is(ir, ref, OP_swizzle) || opt_rewrite_swizzle(ir, ref, user) == ref))
+    if (is_simple(ir, ref) && (!ir_is(ir, ref, OP_swizzle) || opt_rewrite_swizzle(ir, ref, user) == ref))
         return ref;
     return apply_rules(ir, ref, user);
 }

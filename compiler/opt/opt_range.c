@@ -93,14 +93,14 @@ static Ref only_value(Ir *ir, Ref ref, const Known *known)
 static Ref decide(Ir *ir, Ref ref, const void *user)
 {
     const Known *known = user;
+    if (ir_at(ir, ref)->decided)
+        return ref;
     Site site = {ir, known->ranges, 0};
     bool holds; /* of all lanes */
     int lanes;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;
     Ref c = node.count > 2 ? ir_arg(ir, ref, 2) : 0, found;
-    if (node.decided)
-        return ref;
     switch (node.op) {
 #define ON(op) case OP_##op:
 #define BOUND(condition, result, why)                                                                                  \
@@ -122,9 +122,11 @@ bool opt_range(Ir *ir)
 {
     const uint8_t *live = ir_live(ir, &ir->scratch);
     const bool *steps = NULL;
-    Ranges *ranges = ARENA_NEW(&ir->kept, Ranges);
-    *ranges = range_find_live(ir, &ir->kept, MOST_LANES, live, ir->ranges);
-    const Known known = {ranges, &steps};
-    ir->ranges = ranges;
+    if (!ir->ranges) {
+        ir->ranges = ARENA_NEW(&ir->kept, Ranges);
+        ir->ranges->lanes = MOST_LANES;
+    }
+    range_find_live(ir->ranges, ir, &ir->kept, live);
+    const Known known = {ir->ranges, &steps};
     return ir_sweep_live(ir, live, decide, &known);
 }

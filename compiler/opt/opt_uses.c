@@ -1,22 +1,25 @@
-/* How often nodes are used: what a rule may cost more than it gains. */
+/* How often nodes are used: what a rule may cost more than it gains. Users come after operands, and a function's result before its calls: one
+ * sweep down finds who is live, since some live one uses it, and counts. */
 #include "compiler/opt/opt.h"
 
 Uses opt_uses(const Ir *ir, Arena *arena)
 {
-    uint8_t *live = ir_live(ir, arena);
+    uint8_t *live = ARENA_ARRAY(arena, uint8_t, ir->count);
     uint32_t *uses = ARENA_ARRAY(arena, uint32_t, ir->count);
     bool *applied = ARENA_ARRAY(arena, bool, ir->function_count + 1); /* those that others have replaced use nothing */
-    for (Ref ref = 1; ref < ir->count; ref++) {
-        if (!live[ref])
-            continue;
-        for (int i = 0; i < ir->nodes[ref].count; i++)
-            uses[ir_arg(ir, ref, i)]++;
-        if (ir_applies(ir, ref))
-            applied[ir_at(ir, ref)->payload] = true;
-    }
     for (int i = 0; i < ir->output_count; i++)
         uses[ir->outputs[i].value]++;
-    for (size_t f = 0; f < ir->function_count; f++)
-        uses[ir->functions[f].result] += applied[f];
+    for (Ref ref = (Ref)ir->count - 1; ref > 0; ref--) {
+        const IrNode *node = ir_at(ir, ref);
+        if (!uses[ref])
+            continue;
+        live[ref] = 1;
+        for (int i = 0; i < node->count; i++)
+            uses[ir->args[node->first + (uint32_t)i]]++;
+        if (ir_applies(ir, ref) && !applied[node->payload]) {
+            applied[node->payload] = true;
+            uses[ir->functions[node->payload].result]++;
+        }
+    }
     return (Uses){uses, live, (Ref)ir->count};
 }
