@@ -96,6 +96,54 @@ static void spheres_are_lit(void **state)
     }
 }
 
+/* What a mirror sees: the squares that stand for the lamps, 4 away, which light what faces them as much (a square's published form factor), before the horizon's light. -1: near an edge. */
+static double mirrored(const View *view, Vector at, Vector way, int lane)
+{
+    static const double halves[] = {3.2, 3.2, 2.4};
+    const double mirror = step_smoothly(-.3, .5, way.at[2]);
+    double sum = .6 * below.at[lane] * (1 - mirror) + above.at[lane] * mirror;
+    for (int i = 0; i < 3; i++) {
+        const double *e = light_direction[i].at;
+        const Vector to = unit(added(added(scaled(view->right, e[0]), scaled(view->up, e[1])), scaled(view->back, e[2])));
+        const Vector high = unit(added(view->up, scaled(to, -dot(view->up, to)))), wide = cross(to, high);
+        const double along = (4 - dot(at, to)) / dot(way, to), s = halves[i] / sqrt(halves[i] * halves[i] + 16);
+        const Vector met = added(at, scaled(way, along));
+        const double off = fmax(fabs(dot(met, high)), fabs(dot(met, wide))) / halves[i];
+        if (dot(way, to) <= 0 || off > 1.2)
+            continue;
+        if (off > .8)
+            return -1;
+        sum += light_color[i].at[lane] / (4 / M_PI * s * atan(s));
+    }
+    return sum;
+}
+
+/* Polished metal shows what stands around it, within a byte. */
+static void mirrors_show_the_room(void **state)
+{
+    (void)state;
+    enum { SIDE = 96 };
+    Drawn p = draw("{ material: Principled, metalness: 1, baseColor: 1, roughness: 0 }", "gbuffer", SIDE, SIDE);
+    const Vector back = from_angles(-112 * RADIANS, 22 * RADIANS);
+    const View view = look(scaled(back, 4.55), back, 15 * RADIANS, SIDE, SIDE);
+    double worst = 0;
+    int squares = 0, horizon = 0;
+    for (int k = 0; k < SIDE * SIDE * 3; k++) {
+        Vector normal, ray = ray_of(&view, k / 3 % SIDE, k / 3 / SIDE);
+        if (!meet_sphere(&view, ray, &normal) || dot(normal, ray) > -.3)
+            continue;
+        const double want = mirrored(&view, normal, added(ray, scaled(normal, -2 * dot(ray, normal))), k % 3);
+        if (want < 0)
+            continue;
+        worst = fmax(worst, fabs(p.rgb[k] - byte_of(tone(want))));
+        squares += want > .5;
+        horizon += want <= .5;
+    }
+    print_message("%d values of squares, %d of the horizon, within %.1f of 255\n", squares, horizon, worst);
+    assert_true(squares > 1000 && horizon > 4000 && worst <= 1);
+    discard(&p);
+}
+
 /* A surface that only sends out light has the colour that its document says, byte for byte: decoded, drawn and encoded again. The
  * preview bends what is brighter than 0.7, which is byte 218. */
 static void srgb_bytes_come_back(void **state)
@@ -202,7 +250,7 @@ static void normals_of_the_world_look_alike(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spheres_are_lit),
+        cmocka_unit_test(spheres_are_lit), cmocka_unit_test(mirrors_show_the_room),
         cmocka_unit_test(srgb_bytes_come_back),
         cmocka_unit_test(slots_are_shown),
         cmocka_unit_test(normals_of_the_world_look_alike),

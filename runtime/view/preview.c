@@ -1,4 +1,6 @@
-/* Builds the scene by hand: lamps stand in the eye's space, so that every shape is lit alike; a sky is looked at where it is brightest. */
+/* Builds the scene by hand: lamps stand in the eye's space, so that every shape is lit alike; a sky is looked at where it is brightest. Phong's highlights are
+ * what it sees of a lamp, so that lamps are directions; facets are mirrors, which show what a lamp looks like: for them each is a square that lights the
+ * middle of the object as much. */
 #include "runtime/view/preview.h"
 #include "compiler/evaluate.h"
 #include "runtime/scene/scene_matrix.h"
@@ -7,11 +9,12 @@
 
 /* Towards the lamps, to the right, up and back: a warm key light, a cool fill, a rim from behind. */
 static const struct {
-    double way[3], light[3];
-} lamps[PREVIEW_LAMPS] = {{{-.4968, .6211, .6062}, {.88, .84, .77}},
-                          {{.8729, .0970, .4783}, {.15, .19, .25}},
-                          {{.3651, .5477, -.7528}, {.42, .45, .5}}};
+    double way[3], light[3], half; /* half an edge of the square */
+} lamps[PREVIEW_LAMPS] = {{{-.4968, .6211, .6062}, {.88, .84, .77}, 3.2},
+                          {{.8729, .0970, .4783}, {.15, .19, .25}, 3.2},
+                          {{.3651, .5477, -.7528}, {.42, .45, .5}, 2.4}};
 
+static const double away = 4; /* of the squares' middles; the object is as large as 1 */
 static const double above[3] = {.42, .44, .48}, below[3] = {.11, .104, .098};
 
 /* The azimuth at which the material is brightest a little above the horizon, by the C reference. A direction that takes too long is no number, and
@@ -39,20 +42,50 @@ static double find_azimuth(const SceneMaterial *material, const MatcOptions *opt
     return azimuth;
 }
 
-static void add_lamp(const SceneCamera *camera, int lamp, SceneLight *light)
+static void add_lamp(int lamp, const double way[3], SceneLight *light)
 {
-    const double *way = lamps[lamp].way;
     *light = (SceneLight){.kind = SCENE_Directional, .shadows = WORD_Shadows_none};
-    memcpy(light->light, lamps[lamp].light, sizeof light->light);
+    for (int i = 0; i < 3; i++) {
+        light->light[i] = lamps[lamp].light[i];
+        light->direction[i] = -way[i];
+    }
+}
+
+/* Across the way, with edges along the horizon. Of what shines from all sides, a square of half an edge a from d away is 4 / pi s atan(s), s = a / sqrt(a^2 + d^2). */
+static void add_square(int lamp, const double way[3], const double up[3], SceneLight *light)
+{
+    const double half = lamps[lamp].half, sine = half / hypot(half, away),
+                 share = 4 / 3.141592653589793 * sine * atan(sine);
+    const double rise = way[0] * up[0] + way[1] * up[1] + way[2] * up[2];
+    double high[3];
+    *light = (SceneLight){.kind = SCENE_Area, .shadows = WORD_Shadows_none};
     for (int i = 0; i < 3; i++)
-        light->direction[i] = -(camera->right[i] * way[0] + camera->up[i] * way[1] + camera->back[i] * way[2]);
+        high[i] = (up[i] - rise * way[i]) / sqrt(1 - rise * rise);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double wide = way[j] * high[k] - way[k] * high[j];
+        light->edges[0][i] = 2 * half * wide;
+        light->edges[1][i] = 2 * half * high[i];
+        light->position[i] = away * way[i] - half * (wide + high[i]);
+        light->light[i] = lamps[lamp].light[i] / share;
+    }
 }
 
 static void add_lights(Preview *p)
 {
     SceneLight *around = &p->lights[PREVIEW_LAMPS];
-    for (int i = 0; i < PREVIEW_LAMPS; i++)
-        add_lamp(&p->scene.camera, i, &p->lights[i]);
+    const SceneCamera *camera = &p->scene.camera;
+    const bool mirrors = (scene_models(&p->scene) >> MODEL_Principled & 1) != 0;
+    for (int i = 0; i < PREVIEW_LAMPS; i++) {
+        const double *of = lamps[i].way;
+        double way[3];
+        for (int k = 0; k < 3; k++)
+            way[k] = camera->right[k] * of[0] + camera->up[k] * of[1] + camera->back[k] * of[2];
+        if (mirrors)
+            add_square(i, way, camera->up, &p->lights[i]);
+        else
+            add_lamp(i, way, &p->lights[i]);
+    }
     *around = (SceneLight){.kind = SCENE_Hemisphere, .direction = {0, 0, -1}, .shadows = WORD_Shadows_none};
     memcpy(around->light, above, sizeof above);
     memcpy(around->ground, below, sizeof below);
@@ -95,8 +128,10 @@ static bool be_object(const PreviewOptions *o, Preview *p)
     p->scene.tone_numbers[0] = knee;
     p->scene.glow = p->scene.tiles = true;
     p->scene.camera = camera_at(&viewpoint);
+    if (!add_object(o, p))
+        return false;
     add_lights(p);
-    return add_object(o, p);
+    return true;
 }
 
 bool preview_make(const PreviewOptions *options, SceneMaterial material, const MatcOptions *compile, Preview *made)
