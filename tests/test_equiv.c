@@ -176,7 +176,7 @@ static void ir_means_what_the_oracle_says(void **state)
     (void)state;
     static Point points[SAMPLES];
     Test test = {.points = points, .count = sample_points(points)};
-    DocumentList list = documents_list(SOURCE_FOLDER);
+    DocumentList list = documents_tried(SOURCE_FOLDER);
     const char *only = getenv("VALUE_ONLY");
     assert_true(list.count > 100);
     for (int i = 0; i < list.count; i++) {

@@ -210,6 +210,22 @@ static void widths_are_kept(void **state)
     }
 }
 
+/* glTF's walls are thin where its volume has no thickness: light has the colour once, and through a body at each of two surfaces its root. */
+static void thick_glass_is_no_thin_wall(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"", "thicknessFactor: 1\n"};
+    static const double through[][3] = {{.25, .25, .25}, {.5, .5, .5}}, reflected[] = {2 * .04 / 1.04, .04};
+    for (int i = 0; i < 2; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "material: glTF\nmetallicFactor: 0\nbaseColorFactor: [0.25, 0.25, 0.25]\ntransmissionFactor: 1\n%s", texts[i]);
+        char *values = values_at(text, "", NULL);
+        expect_slot(values, "transparency", through[i], 3);
+        expect_slot(values, "reflectance", &reflected[i], 1);
+        free(values);
+    }
+}
+
 /* Numbers alone become what the same Principled compiles to, operation by operation; so do maps. */
 static void same_programs(void **state)
 {
@@ -332,6 +348,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(published_values),
         cmocka_unit_test(widths_are_kept),
+        cmocka_unit_test(thick_glass_is_no_thin_wall),
         cmocka_unit_test(same_programs),
         cmocka_unit_test(a_phong_becomes_a_principled),
         cmocka_unit_test(layouts_without_the_model_are_doubted),

@@ -57,16 +57,20 @@ typedef struct {
     Hull *sampled[2];                     /* by side, where the driver samples pictures */
 } Subject;
 
-/* Of the material seen from behind, when nothing but the normal turns. */
+/* Of the material seen from behind, when nothing but normals turn. */
 static void turn_hulls(const Hull *front, Hull *back)
 {
+    static const Slot turned[] = {SLOT_normal, SLOT_coatNormal};
     memcpy(back, front, POINT_COUNT * sizeof *back);
-    for (int i = 0; i < POINT_COUNT; i++)
+    for (size_t i = 0; i < POINT_COUNT * sizeof turned / sizeof *turned; i++) {
+        const size_t at = i / (sizeof turned / sizeof *turned);
+        const Slot slot = turned[i % (sizeof turned / sizeof *turned)];
         for (int lane = 0; lane < 3; lane++) {
-            back[i].value.lane[SLOT_normal][lane] = -front[i].value.lane[SLOT_normal][lane];
-            back[i].low.lane[SLOT_normal][lane] = -front[i].high.lane[SLOT_normal][lane];
-            back[i].high.lane[SLOT_normal][lane] = -front[i].low.lane[SLOT_normal][lane];
+            back[at].value.lane[slot][lane] = -front[at].value.lane[slot][lane];
+            back[at].low.lane[slot][lane] = -front[at].high.lane[slot][lane];
+            back[at].high.lane[slot][lane] = -front[at].low.lane[slot][lane];
         }
+    }
 }
 
 static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice derivatives, bool front)
@@ -369,7 +373,7 @@ static void examples_draw_what_they_mean(void **state)
     static Point points[POINT_COUNT];
     const char *seed = getenv("VALUE_SEED");
     points_make_others(points, seed ? atoi(seed) : 0);
-    run.documents = documents_list(SOURCE_FOLDER);
+    run.documents = documents_tried(SOURCE_FOLDER);
     run.points = points;
     verdicts_open(&run.verdicts);
     assert_true(run.documents.count > 100);

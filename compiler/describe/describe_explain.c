@@ -161,6 +161,17 @@ static void explain_functions(const Query *q)
     for (int i = 0; i < TERM_COUNT; i++)
         if (term_table[i].callable && begins(q, term_table[i].name))
             describe_function(q->out, i);
+    for (int i = 0; i < QUANTITY_COUNT; i++)
+        if (begins(q, quantity_table[i].name))
+            text_format(q->out, "%s (value of formulas)\n%s\n\nExample\n  diffuse: \"= %s\"\n", quantity_table[i].name,
+                        quantity_table[i].doc, quantity_table[i].name);
+    for (int i = 0; i < vector_count; i++)
+        if (begins(q, vector_table[i].name))
+            text_format(q->out, "%s (function of formulas)\n%s\n", vector_table[i].name, vector_table[i].doc);
+    for (int i = 0; i < SPECIAL_COUNT; i++)
+        if (begins(q, formula_special_table[i].name))
+            text_format(q->out, "%s (function of formulas)\n%s\n%s\n", formula_special_table[i].name,
+                        formula_special_table[i].form, formula_special_table[i].doc);
 }
 
 static void explain_colors(const Query *q)

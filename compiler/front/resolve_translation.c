@@ -188,6 +188,18 @@ static Value translated(Foreign *s, const char *text)
                    .span = s->given ? s->given->span : s->span};
 }
 
+/* A parameter that takes no map is the number itself. */
+static Value as_number(Value value)
+{
+    if (value.kind != VALUE_node || value.node->kind != KIND_Constant)
+        return value;
+    Value number = value.node->params[0];
+    number.given = value.given;
+    number.written = value.written;
+    number.span = value.span;
+    return number;
+}
+
 /* A NormalMap of the material's map over what is there. */
 static Value over_normal(Foreign *s, const TranslationRow *row, Value there)
 {
@@ -248,6 +260,8 @@ const Node *resolve_translate(Resolver *r, Node of)
         if (rule->from != of.kind || !holds(&s, rule->where))
             continue;
         *value = rule->formula ? translated(&s, rule->formula) : over_normal(&s, rule, *value);
+        if (param_table[rule->to].type != PARAM_Map)
+            *value = as_number(*value);
         fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;
     }
     say_losses(&s);

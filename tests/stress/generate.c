@@ -259,7 +259,12 @@ static void put_expression(Generator *g)
         text_format(g->out, "%s i%d: ", i ? "," : "", i);
         map_value(g);
     }
-    text_put(g->out, " } }");
+    text_put(g->out, " }");
+    if (g->left > 0 && chance(g->c, 1, 4)) {
+        text_put(g->out, ", input: ");
+        put_transformer(g);
+    }
+    text_put(g->out, " }");
 }
 
 static void put_kind(Generator *g, Kind kind)
@@ -325,6 +330,8 @@ static void put_material_parameter(Generator *g, const ParamRow *row, int depth)
         put_material(g, depth + 1);
     else if (row->type == PARAM_Bool)
         text_put(g->out, chance(g->c, 1, 2) ? "true" : "false");
+    else if (param_is_word(row))
+        put_word(g, row);
     else
         put_numeric(g, row);
 }
@@ -332,8 +339,10 @@ static void put_material_parameter(Generator *g, const ParamRow *row, int depth)
 /* Mostly a Phong. Mixes and coats may stand in one another, switches stand outermost. */
 static Kind choose_material(Choices *c, int depth)
 {
-    static const Kind others[] = {KIND_RGBA, KIND_SunSkyLight, KIND_Principled, KIND_Layer, KIND_MixMaterial, KIND_SideSwitch, KIND_AlgorithmSwitch};
-    return chance(c, 1, 4) ? others[choose(c, depth > 1 ? 3 : depth ? 5 : 7)] : KIND_Phong;
+    static const Kind others[] = {KIND_RGBA,       KIND_SunSkyLight, KIND_Principled,  KIND_glTF,       KIND_StandardSurface,
+                                  KIND_UsdPreview, KIND_Layer,       KIND_MixMaterial, KIND_SideSwitch, KIND_AlgorithmSwitch};
+    enum { ALL = sizeof others / sizeof *others, ALONE = 6, INNER = 8 };
+    return chance(c, 1, 4) ? others[choose(c, depth > 1 ? ALONE : depth ? INNER : ALL)] : KIND_Phong;
 }
 
 /* Surfaces stay where they are, but for a relief's: the judge has no vertices. tests/test_displacement.c has what moves them. */

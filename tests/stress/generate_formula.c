@@ -24,18 +24,19 @@ static void number(Formulas *f)
 
 static void leaf(Formulas *f, int width)
 {
-    static const char *const leaves[5][6] = {
-        [1] = {"sin(u)", "sin(v)", "cos(x)", "sin(y)", "cos(z)", "pi"},
-        [2] = {"cos(uv)", "N.xz", "sin(p.xy)", "vec2(.3)", "sin(uv + p.zx)", "[u, v] * 0"},
-        [3] = {"sin(p)", "cos(P)", "N", "sin(du)", "cos(dv)", "#c08040"},
-        [4] = {"vec4(N, .5)", "#20406080", "sin(p).xyzx", "vec4(1)", "cos(uv).xyyx", "vec4(2)"}};
+    enum { LEAVES = 10 };
+    static const char *const leaves[5][LEAVES] = {
+        [1] = {"sin(u)", "sin(v)", "cos(x)", "sin(y)", "cos(z)", "pi", "facing", "sin(w)", "sin(time)", "objectRandom"},
+        [2] = {"cos(uv)", "N.xz", "sin(p.xy)", "vec2(.3)", "sin(uv + p.zx)", "[u, v] * 0", "V.xy", "vertexColor.ra", "cos(uv.yx)", "sin(P.yz)"},
+        [3] = {"sin(p)", "cos(P)", "N", "sin(du)", "cos(dv)", "#c08040", "V", "vertexColor.rgb", "sin(p.zxy)", "cos(P.yzx)"},
+        [4] = {"vec4(N, .5)", "#20406080", "sin(p).xyzx", "vec4(1)", "cos(uv).xyyx", "vec4(2)", "vec4(V, facing)", "vertexColor", "sin(p).zzyx", "cos(P).xxyz"}};
     const uint32_t which = choose(f->c, 8);
     if (f->inputs && which > 5)
         text_format(f->out, width == 1 ? "sin(i%d.x)" : "sin(i%d.xxxx)", (int)choose(f->c, (uint32_t)f->inputs));
     else if (which == 0 && width == 1)
         number(f);
     else
-        text_put(f->out, leaves[width][choose(f->c, 6)]);
+        text_put(f->out, leaves[width][choose(f->c, LEAVES)]);
     if (f->inputs && which > 5 && width > 1)
         text_format(f->out, ".%.*s", width, "xyzw");
 }
@@ -94,24 +95,31 @@ static void term(Formulas *f, Term which, int width, int depth)
         text_format(f->out, " * vec%d(1)", width); /* all of its arguments may be numbers */
 }
 
+/* Conditions of conditions end where no depth is left. */
+static bool gives(const TermRow *row, int width, int depth)
+{
+    const char result = term_result(row);
+    if (width == 0)
+        return result == 'b' && (depth > 0 || row->signature[0] != 'b');
+    return result == 'g' || result - '0' == width;
+}
+
 static void value(Formulas *f, int width, int depth)
 {
     if (width > 0 && (depth <= 0 || chance(f->c, 1, 5))) {
         leaf(f, width);
         return;
     }
-    const Term first = (Term)choose(f->c, TERM_COUNT);
-    for (int i = 0; i < TERM_COUNT; i++) {
-        const Term which = (Term)(((int)first + i) % TERM_COUNT);
-        const char result = term_result(&term_table[which]);
-        if (width == 0 && depth <= 0 && term_table[which].signature[0] == 'b')
-            continue; /* conditions of conditions end here */
-        if (width == 0 ? result == 'b' : result == 'g' || result - '0' == width) {
-            text_put(f->out, width ? "" : "(");
-            term(f, which, width ? width : 1, depth);
-            text_put(f->out, width ? "" : ")");
-            return;
-        }
+    Term may[TERM_COUNT];
+    uint32_t count = 0;
+    for (int i = 0; i < TERM_COUNT; i++)
+        if (gives(&term_table[i], width, depth))
+            may[count++] = (Term)i;
+    if (count) {
+        text_put(f->out, width ? "" : "(");
+        term(f, may[choose(f->c, count)], width ? width : 1, depth);
+        text_put(f->out, width ? "" : ")");
+        return;
     }
     leaf(f, width); /* nothing gives four lanes but what takes them */
 }

@@ -23,16 +23,27 @@ static void add_matches(DocumentList *list, const char *folder, const char *patt
     globfree(&found);
 }
 
-DocumentList documents_list(const char *folder)
+static DocumentList documents_of(const char *folder, const char *const patterns[])
 {
-    static const char *const patterns[] = {"examples/*.yaml", "examples/*.json", "examples/*/*.yaml",
-                                           "examples/*/*.json"};
     DocumentList list = {0};
-    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++)
-        add_matches(&list, folder, patterns[i]);
+    for (; *patterns; patterns++)
+        add_matches(&list, folder, *patterns);
     if (list.count)
         qsort(list.paths, (size_t)list.count, sizeof *list.paths, by_name);
     return list;
+}
+
+DocumentList documents_list(const char *folder)
+{
+    static const char *const patterns[] = {"examples/*.yaml", "examples/*.json", "examples/*/*.yaml", "examples/*/*.json", NULL};
+    return documents_of(folder, patterns);
+}
+
+DocumentList documents_tried(const char *folder)
+{
+    static const char *const patterns[] = {"examples/*.yaml",   "examples/*.json",    "examples/*/*.yaml",
+                                           "examples/*/*.json", "tests/value/*.yaml", NULL};
+    return documents_of(folder, patterns);
 }
 
 DocumentList documents_in(const char *folder)

@@ -12,6 +12,8 @@ typedef struct {
 
 /* Every .yaml and .json below `folder`/examples. */
 DocumentList documents_list(const char *folder);
+/* These and tests/value's, which have what no example has: compact has no place for all of it, so there are no goldens. */
+DocumentList documents_tried(const char *folder);
 /* Every .yaml in the folder itself. */
 DocumentList documents_in(const char *folder);
 void documents_free(DocumentList *list);

@@ -1,0 +1,160 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout compact
+
+in vec2 uv;
+in vec3 localPosition;
+in vec3 eyeNormal;
+in vec4 matc_attribute_color;
+layout(location = 0) out uvec4 fragment0;
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// Jenkins' hash of whole numbers, |cell| <= 2^24: lookup3 of `count` of them, 2 or 3, begun at 0xDEADBEEF + 4 count + 13, as OSL and MaterialX have it, over
+// 2^32 - 1. Of two, cell.z is 0. Error 1e-7. jenkinsPlaces: those of the numbers and a further one, 0 to `dimensions` - 1, by lanes.
+uint jenkinsTurned(uint bits, int by) {
+    return (bits << by) | (bits >> (32 - by));
+}
+
+float jenkinsEnd(uvec3 h) {
+    h.z = (h.z ^ h.y) - jenkinsTurned(h.y, 14);
+    h.x = (h.x ^ h.z) - jenkinsTurned(h.z, 11);
+    h.y = (h.y ^ h.x) - jenkinsTurned(h.x, 25);
+    h.z = (h.z ^ h.y) - jenkinsTurned(h.y, 16);
+    h.x = (h.x ^ h.z) - jenkinsTurned(h.z, 4);
+    h.y = (h.y ^ h.x) - jenkinsTurned(h.x, 14);
+    h.z = (h.z ^ h.y) - jenkinsTurned(h.y, 24);
+    return float(h.z) / 4294967296.0;
+}
+
+float jenkins(vec3 cell, int count) {
+    return jenkinsEnd(uvec3(ivec3(cell)) + (0xDEADBEEFu + 13u + 4u * uint(count)));
+}
+
+vec3 jenkinsPlaces(vec3 cell, int dimensions) {
+    if (dimensions < 3)
+        return vec3(jenkins(vec3(cell.xy, 0.0), 3), jenkins(vec3(cell.xy, 1.0), 3), 0.0);
+    uvec3 h = uvec3(ivec3(cell)) + (0xDEADBEEFu + 13u + 16u);
+    h.x = (h.x - h.z) ^ jenkinsTurned(h.z, 4);
+    h.z += h.y;
+    h.y = (h.y - h.x) ^ jenkinsTurned(h.x, 6);
+    h.x += h.z;
+    h.z = (h.z - h.y) ^ jenkinsTurned(h.y, 8);
+    h.y += h.x;
+    h.x = (h.x - h.z) ^ jenkinsTurned(h.z, 16);
+    h.z += h.y;
+    h.y = (h.y - h.x) ^ jenkinsTurned(h.x, 19);
+    h.x += h.z;
+    h.z = (h.z - h.y) ^ jenkinsTurned(h.y, 4);
+    h.y += h.x;
+    return vec3(jenkinsEnd(h), jenkinsEnd(h + uvec3(1u, 0u, 0u)), jenkinsEnd(h + uvec3(2u, 0u, 0u)));
+}
+
+// A number in [0, 1] for each cube between whole numbers, or square of x and y, as MaterialX's cellnoise3d and cellnoise2d have it. Coordinates are cut at 2^24.
+// Error 1e-7.
+float cellNoise(vec3 p, int dimensions) {
+    vec3 q = clamp(p, -16777216.0, 16777216.0) * vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
+    return jenkins(floor(q), dimensions);
+}
+
+// Of points of which each cell has one, `jitter` times as far from its middle as chance says, the nearest of the cell of p and those beside it: how far p is
+// away from it, and its cell. Coordinates are cut at 2^24; of two dimensions z is 0. Error 3e-7.
+void worleySearch(vec3 p, float jitter, int dimensions, out vec3 away, out vec3 nearest) {
+    vec3 axes = vec3(1.0, 1.0, dimensions < 3 ? 0.0 : 1.0);
+    vec3 q = clamp(p, -16777216.0, 16777216.0) * axes;
+    vec3 cell = floor(q);
+    vec3 d = q - cell;
+    float least = 1.0e6;
+    away = vec3(0.0);
+    nearest = cell;
+    for (int i = 0; i < 27; i++) {
+        if (i > 8 && dimensions < 3) break;
+        float rows = floor((float(i) + 0.5) / 3.0);
+        float plane = floor((float(i) + 0.5) / 9.0);
+        vec3 beside = (vec3(float(i) - 3.0 * rows, rows - 3.0 * plane, plane) - 1.0) * axes;
+        vec3 far = d - beside - ((jenkinsPlaces(cell + beside, dimensions) - 0.5) * jitter + 0.5) * axes;
+        float square = dot(far, far);
+        if (square < least) {
+            least = square;
+            away = far;
+            nearest = cell + beside;
+        }
+    }
+}
+
+// Distance to the nearest of points at random, or, with `style` 1, the number of its cell, as MaterialX's worleynoise3d and worleynoise2d have it. Error 1e-6.
+float worley(vec3 p, float jitter, int style, int dimensions) {
+    vec3 away, nearest;
+    worleySearch(p, jitter, dimensions, away, nearest);
+    return style > 0 ? jenkins(nearest, dimensions) : length(away);
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
+// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
+// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+uint sharedExponentBits(vec3 v, int bits) {
+    float steps = float(1 << bits);
+    vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);
+    float greatest = max(max(c.x, c.y), max(c.z, 1.0 / 65536.0));
+    int e = int(floatBitsToUint(greatest) >> 23) - 111;
+    float scale = uintBitsToFloat(uint(142 + bits - e) << 23);
+    if (floor(greatest * scale + 0.5) >= steps) { e += 1; scale *= 0.5; }
+    uvec3 m = uvec3(floor(c * scale + 0.5));
+    return m.x | m.y << bits | m.z << (2 * bits) | uint(e) << (3 * bits);
+}
+
+void main() {
+    // rest.yaml:3 Expression
+    float diffuse_expression = sin(uv.x * 3.0) * 0.5 + 0.5;
+    float diffuse_expression_2 = 0.5 - diffuse_expression;
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    // rest.yaml:5 Expression
+    vec3 emissive_expression_1 = localPosition * 3.1415927;
+    vec3 emissive_expression = uv.x <= 0.5 ? sin(emissive_expression_1) : cos(emissive_expression_1);
+    // rest.yaml:4 Expression
+    vec3 specular_expression = ceil(localPosition.z * 4.0) != 0.0 ? matc_attribute_color.xyz * 0.5 : vec3(0.2, 0.3, 0.4);
+    float diffuse_expression_3 = (0.5 - abs(diffuse_expression_2)) / (abs(1.0 - diffuse_expression * 2.0) * -0.5714286 + 1.0);
+    uint surface_bits = rootBits(0.5 - (0.5 - diffuse_expression_3) * sign(diffuse_expression_2), 8) | rootBits(cellNoise(localPosition * 3.0, 3), 8) << 8;
+    uint surface_bits2 = surface_bits | rootBits(worley(localPosition * 2.0, 1.0, 0, 3), 8) << 16 | rootBits(specular_expression.x, 8) << 24;
+    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits2, rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | 645922816u);
+    fragment0 = surface_bits3;
+}
