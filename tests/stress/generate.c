@@ -192,9 +192,8 @@ static bool is_place(const ParamRow *row)
            row->kind != KIND_Laplace3D;
 }
 
-static void put_parameter(Generator *g, const ParamRow *row)
+static void put_value(Generator *g, const ParamRow *row)
 {
-    text_format(g->out, ", %s: ", row->name);
     switch (row->type) {
     case PARAM_Map:
         if (g->relief && is_place(row))
@@ -281,8 +280,10 @@ static void put_kind(Generator *g, Kind kind)
     g->filters += filter;
     text_format(g->out, "{ map: %s", row->name);
     for (int i = 0; i < row->count; i++)
-        if (is_given(g, &param_table[row->first + i]))
-            put_parameter(g, &param_table[row->first + i]);
+        if (is_given(g, &param_table[row->first + i])) {
+            text_format(g->out, ", %s: ", param_table[row->first + i].name);
+            put_value(g, &param_table[row->first + i]);
+        }
     text_put(g->out, " }");
     g->filters -= filter;
 }
@@ -324,16 +325,10 @@ static void put_material_parameter(Generator *g, const ParamRow *row, int depth)
 {
     const char *separator = depth ? ", " : "\n";
     text_format(g->out, "%s%s: ", separator, row->name);
-    if (row->type == PARAM_Map)
-        map_value(g);
-    else if (row->type == PARAM_Material)
+    if (row->type == PARAM_Material)
         put_material(g, depth + 1);
-    else if (row->type == PARAM_Bool)
-        text_put(g->out, chance(g->c, 1, 2) ? "true" : "false");
-    else if (param_is_word(row))
-        put_word(g, row);
     else
-        put_numeric(g, row);
+        put_value(g, row);
 }
 
 /* Mostly a Phong. Mixes and coats may stand in one another, switches stand outermost. */
