@@ -292,8 +292,7 @@ static void put_map(Generator *g) { put_kind(g, choose_map(g)); }
 
 static void put_transformer(Generator *g)
 {
-    static const Kind kinds[] = {KIND_UVTransform, KIND_XYZTransform, KIND_Turbulence};
-    put_kind(g, kinds[choose(g->c, sizeof kinds / sizeof *kinds)]);
+    put_kind(g, (const Kind[]){KIND_UVTransform, KIND_XYZTransform, KIND_Turbulence}[choose(g->c, 3)]);
 }
 
 static void put_constant(Generator *g)
@@ -323,8 +322,7 @@ static void put_material(Generator *g, int depth);
 
 static void put_material_parameter(Generator *g, const ParamRow *row, int depth)
 {
-    const char *separator = depth ? ", " : "\n";
-    text_format(g->out, "%s%s: ", separator, row->name);
+    text_format(g->out, "%s%s: ", depth ? ", " : "\n", row->name);
     if (row->type == PARAM_Material)
         put_material(g, depth + 1);
     else
@@ -336,8 +334,7 @@ static Kind choose_material(Choices *c, int depth)
 {
     static const Kind others[] = {KIND_RGBA,       KIND_SunSkyLight, KIND_Principled,  KIND_glTF,       KIND_StandardSurface,
                                   KIND_UsdPreview, KIND_Layer,       KIND_MixMaterial, KIND_SideSwitch, KIND_AlgorithmSwitch};
-    enum { ALL = sizeof others / sizeof *others, ALONE = 6, INNER = 8 };
-    return chance(c, 1, 4) ? others[choose(c, depth > 1 ? ALONE : depth ? INNER : ALL)] : KIND_Phong;
+    return chance(c, 1, 4) ? others[choose(c, depth > 1 ? 6 : depth ? 8 : 10)] : KIND_Phong;
 }
 
 /* Surfaces stay where they are, but for a relief's: the judge has no vertices. tests/test_displacement.c has what moves them. */
