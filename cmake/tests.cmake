@@ -161,6 +161,7 @@ endif()
 # The same in every build: what the sources are, what SPIR-V is, figures in docs/, a second judge of what is for WebGL 2 (ctest -L browser)
 if(NOT SANITIZED)
   matc_test(functions matbench functions)
+  matc_test(instructions matbench instructions) # against shaders by hand
   matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>) # of depfiles alone; matc writes some under sanitizers in command_line.sh
   matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
   matc_test(order sh tests/order.sh)

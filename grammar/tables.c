@@ -310,7 +310,7 @@ static const char *const map_arguments[KIND_COUNT] = {
 #undef OWN
 #define OWN_ROW(function, cost, doc)    {NULL, TYPE_float, cost, doc},
 #define VOLUME_ROW(function, cost, doc) {#function, TYPE_float, cost, doc},
-static const FunctionRow function_table[FUNCTION_COUNT] = {
+const FunctionRow function_table[FUNCTION_COUNT] = {
 #define FUNCTION(name, result, arguments, range, cost, doc) {#name, TYPE_##result, cost, doc},
 #include "functions.def"
 #define MATERIAL(name, sort, doc)                OWN_ROW(name, 0, doc)
@@ -323,8 +323,6 @@ static const char *const fixed_arguments[] = {
 #define FUNCTION(name, result, arguments, range, cost, doc) arguments,
 #include "functions.def"
 };
-
-const FunctionRow *function_row(int function) { return &function_table[function]; }
 
 const char *function_arguments(int function)
 {

@@ -220,7 +220,8 @@ typedef struct {
     int cost;
     const char *doc;
 } FunctionRow;
-const FunctionRow *function_row(int function);
+extern const FunctionRow function_table[]; /* FUNCTION_COUNT rows */
+static inline const FunctionRow *function_row(int function) { return &function_table[function]; }
 /* A letter for each argument: f i 2 3 4 s. */
 const char *function_arguments(int function);
 

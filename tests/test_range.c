@@ -175,11 +175,11 @@ static Interval claim(Site *s, Op op, const Interval *of, bool square)
         args[1] = args[0];
     Ref ref = ir_make(s->ir, (IrNode){.op = op, .type = TYPE_float, .count = op_table[op].arity}, args);
     Ranges ranges = {.of = ARENA_ARRAY(&s->arena, Interval, s->ir->count),
-                     .first = ARENA_ARRAY(&s->arena, uint32_t, s->ir->count),
+                     .place = ARENA_ARRAY(&s->arena, RangePlace, s->ir->count),
                      .count = (Ref)s->ir->count,
                      .lanes = 1};
     for (int k = op_table[op].arity - 1; k >= 0; k--) {
-        ranges.first[args[k]] = args[k];
+        ranges.place[args[k]].first = args[k];
         ranges.of[args[k]] = of[k];
     }
     return range_computed(&ranges, s->ir, ref, 0);

@@ -32,7 +32,7 @@ static void leave(Locale locale)
 
 Text text_new(Arena *arena) { return (Text){arena, NULL, 0, 0}; }
 
-static void reserve(Text *text, size_t more)
+void text_reserve(Text *text, size_t more)
 {
     size_t need = text->size + more + 1;
     if (need <= text->room)
@@ -49,19 +49,10 @@ static void reserve(Text *text, size_t more)
 
 void text_add(Text *text, const char *bytes, size_t size)
 {
-    reserve(text, size);
+    text_reserve(text, size);
     if (size)
         memcpy(text->at + text->size, bytes, size);
     text->size += size;
-    text->at[text->size] = 0;
-}
-
-void text_put(Text *text, const char *string) { text_add(text, string, strlen(string)); }
-
-void text_char(Text *text, char c)
-{
-    reserve(text, 1);
-    text->at[text->size++] = c;
     text->at[text->size] = 0;
 }
 
@@ -81,11 +72,11 @@ void text_format_list(Text *text, const char *format, va_list args)
 {
     va_list again;
     va_copy(again, args);
-    reserve(text, FORMAT_ROOM);
+    text_reserve(text, FORMAT_ROOM);
     size_t room = text->room - text->size;
     int size = vsnprintf(text->at + text->size, room, format, args);
     if (size > 0 && (size_t)size >= room) {
-        reserve(text, (size_t)size);
+        text_reserve(text, (size_t)size);
         vsnprintf(text->at + text->size, (size_t)size + 1, format, again);
     }
     if (size > 0)

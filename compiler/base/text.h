@@ -5,6 +5,7 @@
 #include "compiler/base/arena.h"
 #include <stdarg.h>
 #include <stdbool.h>
+#include <string.h>
 
 typedef struct {
     Arena *arena;
@@ -14,8 +15,16 @@ typedef struct {
 
 Text text_new(Arena *arena);
 void text_add(Text *text, const char *bytes, size_t size);
-void text_put(Text *text, const char *string);
-void text_char(Text *text, char c);
+static inline void text_put(Text *text, const char *string) { text_add(text, string, strlen(string)); } /* known here, most often */
+/* Room for so many bytes more, and a zero byte. */
+void text_reserve(Text *text, size_t more);
+static inline void text_char(Text *text, char c)
+{
+    if (text->size + 1 >= text->room)
+        text_reserve(text, 1);
+    text->at[text->size++] = c;
+    text->at[text->size] = 0;
+}
 void text_int(Text *text, long value);
 /* printf of whole numbers and strings; numbers with a fraction go through the functions below. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));

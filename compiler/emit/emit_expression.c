@@ -8,11 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-bool emit_is_leaf(const Ir *ir, Ref ref)
-{
-    return op_table[ir_at(ir, ref)->op].arity == 0 || ir_is(ir, ref, OP_swizzle);
-}
-
 static void put_number(Text *out, Type type, double value)
 {
     if (type == TYPE_bool)

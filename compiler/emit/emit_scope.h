@@ -58,7 +58,10 @@ void emit_expression(Scope *e, Text *out, Ref ref, int precedence);
 /* A number or vector. */
 void emit_constant(Text *out, const Ir *ir, Ref ref);
 /* Values that are never worth a temporary: constants, inputs, lanes of something named. */
-bool emit_is_leaf(const Ir *ir, Ref ref);
+static inline bool emit_is_leaf(const Ir *ir, Ref ref)
+{
+    return op_table[ir_at(ir, ref)->op].arity == 0 || ir_is(ir, ref, OP_swizzle);
+}
 enum {
     PRECEDENCE_any,
     PRECEDENCE_select,

@@ -49,7 +49,8 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
     }
     bool other = false; /* a map has the name of a material that is wanted, or a material that of a map */
     for (int i = 0; i < kind_name_count(); i++) {
-        if (strcmp(kind_name(i, kind), name->text) != 0)
+        const char *known = kind_name(i, kind);
+        if (*known != *name->text || strcmp(known, name->text) != 0) /* most differ in the first letter */
             continue;
         other |= is_material(*kind) != material;
         if (is_material(*kind) == material) {

@@ -69,14 +69,13 @@ bool ir_sweep_live(Ir *ir, const uint8_t *live, IrRewrite *rewrite, const void *
     for (Ref ref = 1; ref < count; ref++) {
         if (!live[ref])
             continue;
-        uint8_t head = ir->nodes[ref].head;
         ir->origin = ir->nodes[ref].origin;
         Ref better = rewrite(ir, moves.any ? remake(ir, ref, &moves) : ref, user);
         moves.node[ref] = better;
         if (better == ref)
             continue;
         moves.any = true;
-        if (head && !ir->nodes[better].head && ir->nodes[better].origin == ir->origin)
+        if (ir->nodes[ref].head && !ir->nodes[better].head && ir->nodes[better].origin == ir->origin)
             ir->nodes[better].head = 1;
         move_functions(ir, &moves, ref, better);
     }

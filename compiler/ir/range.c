@@ -37,12 +37,13 @@ typedef struct Seen {
     uint32_t sets; /* so many have held */
 } Seen;
 
-struct Seen *range_seen_new(Arena *arena) { return ARENA_NEW(arena, Seen); }
-
-static Interval kept_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+struct Seen *range_seen_new(Arena *arena)
 {
-    const uint32_t first = ref < r->count ? r->first[ref] : 0;
-    return !first ? everything : r->of[r->lanes == 1 || ir_lanes(ir, ref) == 1 ? first : first + (uint32_t)lane];
+    Seen *seen = arena_alloc(arena, sizeof *seen);
+    seen->sets = 0;
+    for (int i = 0; i < SEEN_SLOTS; i++)
+        seen->slots[i].set = 0; /* no set: the rest says nothing */
+    return seen;
 }
 
 /* -- Intervals where a condition holds: in select(t < 1, a, b), t is below 1 in a, and not below it in b. What an arm computes of
@@ -72,25 +73,22 @@ static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return found;
 }
 
-static Interval guarded_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const Guards *guards = r->guards;
-    Interval kept = kept_range(r, ir, ref, lane);
+    Interval kept = range_kept(r, ref, lane);
     bool guarded = false;
+    if (ref >= r->count || !(r->marks[ref] & guards->marks)) /* neither guarded nor made of what is */
+        return kept;
     for (int i = 0; i < guards->count; i++)
         if (guards->at[i].ref == ref) {
             kept = both(kept, guards->at[i].within);
             guarded = true;
         }
-    if (guarded || ref >= r->count || !(r->marks[ref] & guards->marks))
+    if (guarded)
         return kept;
     const Interval found = found_again(r, ir, ref, lane), narrow = both(kept, found);
     return isnan(found.low) || isnan(found.high) || is_empty(narrow) ? kept : narrow;
-}
-
-Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane)
-{
-    return r->guards ? guarded_range(r, ir, ref, lane) : kept_range(r, ir, ref, lane);
 }
 
 /* The node that a condition compares with a constant, and where it lies when the condition holds, and when not. */
@@ -103,7 +101,7 @@ static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *va
     if (ir_lanes(ir, a) != 1 || ir_lanes(ir, b) != 1)
         return false;
     const bool right = ir_is(ir, b, OP_const);
-    const double at = kept_range(r, ir, right ? b : a, 0).low;
+    const double at = range_kept(r, right ? b : a, 0).low;
     *value = right ? a : b;
     sides[right ? 0 : 1] = (Interval){-INFINITY, at};
     sides[right ? 1 : 0] = (Interval){at, INFINITY};

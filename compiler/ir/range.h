@@ -4,11 +4,16 @@
 #include "compiler/ir/interval.h"
 #include "compiler/ir/ir.h"
 
+/* Where in Ranges.of a node's intervals begin, 0: it may be anything; and whether each of its lanes has one there. */
+typedef struct {
+    uint32_t first : 31, by_lane : 1;
+} RangePlace;
+
 typedef struct Ranges {
     Interval *of;          /* of each node that was looked at as many as it has lanes, or one; the first is of none */
     size_t used, room;     /* of them */
-    uint32_t *first;       /* by Ref: where in `of` its own begin; 0: it may be anything */
-    size_t first_room;     /* of them */
+    RangePlace *place;     /* by Ref */
+    size_t place_room;     /* of them */
     Ref count;             /* of nodes when they were found last */
     int lanes;             /* 1: one for all lanes of a node; FIELD_LANES: one a lane */
     struct Guards *guards; /* under way: range.c */
@@ -21,13 +26,23 @@ Ranges range_find(const Ir *ir, Arena *arena, int lanes);
 /* Of live nodes; any other may be anything. What was found before, in the same arena, is not found again: all but `lanes` is zero if nothing was. */
 void range_find_live(Ranges *r, const Ir *ir, Arena *arena, const uint8_t *live);
 /* Something was found of it. */
-static inline bool range_is_found(const Ranges *r, Ref ref) { return ref < r->count && r->first[ref]; }
+static inline bool range_is_found(const Ranges *r, Ref ref) { return ref < r->count && r->place[ref].first; }
 /* Of what some values are made of. */
 Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count);
 /* The interval of such a node holds to the last bit. */
 bool range_is_exact(Op op);
+/* What is known of a lane everywhere; and where the guards hold that are under way. */
+static inline Interval range_kept(const Ranges *r, Ref ref, int lane)
+{
+    const RangePlace place = ref < r->count ? r->place[ref] : (RangePlace){0};
+    return !place.first ? everything : r->of[place.first + (place.by_lane ? (uint32_t)lane : 0)];
+}
+Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane);
 /* Of a lane, or of all lanes together where that is all that is kept. What came later may be anything. */
-Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane);
+static inline Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    return r->guards ? range_guarded(r, ir, ref, lane) : range_kept(r, ref, lane);
+}
 /* A bit for a node that a condition compares: all but 64 share theirs. */
 static inline uint64_t range_mark(Ref ref) { return 1ull << (ref & 63); }
 /* Nothing was found yet while guards held. */

@@ -38,27 +38,28 @@ static int kept_lanes(const Ranges *r, const Ir *ir, Ref ref)
 
 static void compute(Ranges *r, const Ir *ir, Arena *arena, Ref ref)
 {
-    const uint32_t first = (uint32_t)r->used;
-    for (int lane = 0, lanes = kept_lanes(r, ir, ref); lane < lanes; lane++) {
+    const int lanes = kept_lanes(r, ir, ref);
+    const RangePlace place = {(uint32_t)r->used, lanes > 1};
+    for (int lane = 0; lane < lanes; lane++) {
         const Interval range = range_computed(r, ir, ref, lane);
         const bool none = isnan(range.low) || isnan(range.high);
         ARENA_PUSH(arena, r->of, r->used, r->room, none ? everything : range);
     }
-    r->first[ref] = first;
+    r->place[ref] = place;
 }
 
 /* Of nodes below `count`: of those that are live; NULL: of all. */
 static void find(Ranges *r, const Ir *ir, Arena *arena, Ref count, const uint8_t *live)
 {
     r->count = count;
-    r->first = arena_reach(arena, r->first, count, &r->first_room, sizeof *r->first);
+    r->place = arena_reach(arena, r->place, count, &r->place_room, sizeof *r->place);
     r->marks = r->lanes > 1 ? mark_compared(ir, arena, count, live) : NULL; /* all lanes as one know no guards */
     if (r->marks && !r->seen)
         r->seen = range_seen_new(arena);
     if (!r->used)
         ARENA_PUSH(arena, r->of, r->used, r->room, everything);
     for (Ref ref = 1; ref < count; ref++)
-        if (!r->first[ref] && is_asked(live, ref))
+        if (!r->place[ref].first && is_asked(live, ref))
             compute(r, ir, arena, ref);
 }
 

@@ -21,21 +21,19 @@ static bool is_simple(const Ir *ir, Ref ref) { return ir_at(ir, ref)->simple || 
 /* In turns, until none of them changes what the others left. */
 static Ref apply_rules(Ir *ir, Ref ref, const void *user)
 {
-    unsigned asked = rules_for(ir, ref);
-    int idle = 0;
-    for (int run = 0, rule = 0; idle < RULE_COUNT && run < MOST_REWRITES * RULE_COUNT; run++) {
-        const Ref better = asked >> rule & 1 ? rules[rule](ir, ref, user) : ref;
-        rule = rule + 1 < RULE_COUNT ? rule + 1 : 0;
-        idle++;
+    unsigned left = rules_for(ir, ref); /* to be asked of the node */
+    for (int run = 0; left && run < MOST_REWRITES * RULE_COUNT; run++) {
+        const int rule = run % RULE_COUNT;
+        const Ref better = left >> rule & 1 ? rules[rule](ir, ref, user) : ref;
+        left &= ~(1u << rule);
         if (better == ref)
             continue;
         if (is_simple(ir, better) && !ir_is(ir, better, OP_swizzle))
             return better;
         ref = better;
-        asked = rules_for(ir, ref);
-        idle = 0;
+        left = rules_for(ir, ref);
     }
-    ir->nodes[ref].simple = idle == RULE_COUNT;
+    ir->nodes[ref].simple = !left;
     return ref;
 }
 

@@ -113,6 +113,8 @@ static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *
             *value = 0;
             return true;
         }
+        if (!found && node->op != OP_mul)
+            return false;
         known += found;
     }
     return known == node->count && fold_lane((Op)node->op, args, value);
