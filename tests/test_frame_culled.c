@@ -144,10 +144,53 @@ static void what_a_light_shows_is_there(void **state)
     assert_true(anew >= 2 && least < most);
 }
 
+/* Balls float over a plane, below which nothing is: the camera sees that plane alone, and what falls on it. As many triangles as a light's shadows need are there, and no more. */
+static void what_falls_on_a_plane_is_there(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *light, *plane;
+        int kept; /* triangles, of 960 of two balls */
+    } cases[] = {{"{ light: Directional, direction: [0.6, 0, -1], shadows: map }", "", 480},
+                 {"{ light: Directional, direction: [-0.6, 0.1, 1], shadows: map }", "", 0},
+                 {"{ light: Point, position: [-2.5, 0, 9], intensity: 300, shadows: map }", "", 480},
+                 {"{ light: Spot, position: [-2.5, 0, 9], direction: [0.5, 0, -1], outerAngle: 40, intensity: 300, shadows: map }", "rotation: [0.05, -0.1, 0], ", 480},
+                 {"{ light: Point, position: [-2.5, 0, -9], intensity: 300, shadows: map }", "", 0},
+                 {"{ light: Directional, direction: [1, 0, 0], shadows: map }", "", 960},
+                 {"{ light: Point, position: [-2.5, 0, 1], intensity: 300, shadows: map }", "", 0}};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        static float light[2][4 * PIXELS];
+        MatcDocument *document;
+        char text[2000];
+        int triangles[2], dark = 0;
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [3, -4, -1.5], target: [3, 0, -4], angle: 50 }\n"
+                 "materials: { rock: { material: Phong, diffuse: 0.6, displacementScale: 0.1, displacement: { map: VolumeTurbulence, size: 1 } }, floor: { material: Phong, diffuse: 0.8 } }\n"
+                 "displacement: { " GRID " }\nlights: [%s]\nobjects:\n- { object: Plane, material: floor, transform: { %stranslation: [0, 0, -4] } }\n"
+                 "- { object: Sphere, radius: 0.7, detail: 12, material: rock, transform: { translation: [0, 0, 4] } }\n"
+                 "- { object: Sphere, radius: 0.7, detail: 12, material: rock, transform: { translation: [-9, 3, 4] } }\n",
+                 EDGE, EDGE, cases[i].light, cases[i].plane);
+        Scene *scene = frame_scene(text, &options, &document);
+        for (int whole = 0; whole < 2; whole++)
+            triangles[whole] = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .unculled = whole}, light[whole]);
+        for (int k = 0; k < PIXELS; k++)
+            dark += light[1][4 * k] == 0;
+        print_message("%s: %d of %d triangles, %d pixels of the plane are dark\n", cases[i].light, triangles[0], triangles[1], dark);
+        assert_memory_equal(light[0], light[1], sizeof light[0]);
+        assert_int_equal(triangles[0], cases[i].kept);
+        assert_true(triangles[1] == 960 && (cases[i].kept != 480 || (dark > 100 && dark < PIXELS / 2))); /* a shadow is there */
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_nobody_sees_has_no_triangles),
+        cmocka_unit_test(what_falls_on_a_plane_is_there),
         cmocka_unit_test(what_comes_into_view_is_there),
         cmocka_unit_test(what_a_light_shows_is_there),
     };

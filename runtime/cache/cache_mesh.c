@@ -1,5 +1,6 @@
 /* Meshes of a cache: of solids, of files, and those that the driver displaces. */
 #include "runtime/cache/cache.h"
+#include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
 static bool make_mesh_of(GlContext *gl, Cache *cache, const Shape *shape)
@@ -21,10 +22,10 @@ static CullBox box_of_patches(const SceneMesh *mesh)
     return box;
 }
 
-/* Around all objects; where there are planes, which have no end, as DisplacedView has it. */
-static void find_box(const CacheSource *source, const Cache *cache, DisplacedView *view)
+/* Around all objects but planes. */
+static void find_box(const CacheSource *source, const Cache *cache, double low[3], double high[3])
 {
-    for (int i = 0; i < (cache->plane_count ? 0 : cache->place_count); i++) {
+    for (int i = 0; i < cache->place_count; i++) {
         const CullBox *box = &cache->boxes[cache->places[i].mesh];
         const double *m = source->scene->objects[cache->places[i].object].world_from_local.m;
         for (int k = 0; k < 3; k++) {
@@ -33,10 +34,24 @@ static void find_box(const CacheSource *source, const Cache *cache, DisplacedVie
                 middle += m[4 * lane + k] * (box->low[lane] + box->high[lane]) / 2;
                 extent += fabs(m[4 * lane + k]) * (box->high[lane] - box->low[lane]) / 2;
             }
-            view->low[k] = i ? fmin(view->low[k], middle - extent) : middle - extent;
-            view->high[k] = i ? fmax(view->high[k], middle + extent) : middle + extent;
+            low[k] = i ? fmin(low[k], middle - extent) : middle - extent;
+            high[k] = i ? fmax(high[k], middle + extent) : middle + extent;
         }
     }
+}
+
+enum { GROUNDS_MOST = 8 };
+
+/* Planes of the scene. False: there are more. */
+static bool find_grounds(const CacheSource *source, const Cache *cache, double grounds[GROUNDS_MOST][4])
+{
+    for (int i = 0; i < cache->plane_count && i < GROUNDS_MOST; i++) {
+        const double *m = source->scene->objects[cache->planes[i].object].world_from_local.m;
+        scene_vector_cross(m, m + 4, grounds[i]);
+        scene_vector_normalize(grounds[i]);
+        grounds[i][3] = -scene_vector_dot(grounds[i], m + 12);
+    }
+    return cache->plane_count <= GROUNDS_MOST;
 }
 
 /* Has the driver displace it for the view, where it does not stand so. */
@@ -109,13 +124,19 @@ bool cache_mesh_by_lights(const Cache *cache)
 bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache)
 {
     DisplacedView view = {source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}};
+    double grounds[GROUNDS_MOST][4];
     bool fine = true;
-    if (cache_mesh_by_lights(cache))
-        find_box(source, cache, &view);
-    if (source->alone && source->volume && !source->triangles)
+    if (cache_mesh_by_lights(cache) && !cache->plane_count) /* which has no end */
+        find_box(source, cache, view.low, view.high);
+    if (source->alone && source->volume && !source->triangles) {
         view.sight = (SceneSight){.planes = source->volume->planes,
                                   .count = source->volume->count,
-                                  .casts = source->casts ? source->scene : NULL};
+                                  .casts = source->casts ? source->scene : NULL,
+                                  .grounds = (const double(*)[4])grounds,
+                                  .ground_count = cache->plane_count};
+        if (find_grounds(source, cache, grounds))
+            find_box(source, cache, view.sight.low, view.sight.high);
+    }
     for (int i = 0; fine && i < cache->mesh_count; i++)
         if (displaced_by_view(&cache->displaced[i]))
             fine = displace(&view, source, cache, i) && gl_check(gl, "displacing a mesh");

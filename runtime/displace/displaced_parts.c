@@ -43,10 +43,7 @@ bool displaced_parts(Displaced *d, const DisplacedView *view, int first[SCENE_PA
     uint8_t(*parts)[3] = malloc(bytes + 1);
     if (!parts)
         return gl_fail(displaced_context(d), "out of memory");
-    SceneSight sight = view->sight;
-    memcpy(sight.low, view->low, sizeof sight.low);
-    memcpy(sight.high, view->high, sizeof sight.high);
-    scene_patches_levels(d->patches, &view->scene->camera, view->size, sight.count ? &sight : NULL, parts);
+    scene_patches_levels(d->patches, &view->scene->camera, view->size, view->sight.count ? &view->sight : NULL, parts);
     d->anew = !stands(d, parts);
     if (d->anew)
         memcpy(d->parts, parts, bytes);

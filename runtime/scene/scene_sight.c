@@ -54,6 +54,26 @@ static double reach_of(const SceneSight *sight, const SceneLight *light, const S
     return fmax(reach, light->kind == SCENE_Directional ? 0 : 1);
 }
 
+/* The same until no ray is before a ground any more. One that never comes there has no shadow on it; infinite: a ray may run along it. */
+static double ground_reach(const double ground[4], const SceneLight *light, const SightTriangle *moved)
+{
+    const double along = 1e-9;
+    const bool far = light->kind == SCENE_Directional;
+    const double from = inside_by(ground, light->position), way = !far && from < 0 ? -1 : 1;
+    double least = way * ground[3], most = least;
+    for (int k = 0; k < 3; k++) {
+        least += fmin(way * ground[k] * moved->low[k], way * ground[k] * moved->high[k]);
+        most += fmax(way * ground[k] * moved->low[k], way * ground[k] * moved->high[k]);
+    }
+    if (far) {
+        const double goes = scene_vector_dot(ground, light->direction);
+        return fabs(goes) < along ? INFINITY : goes < 0 ? most / -goes : -least / goes;
+    }
+    const double room =
+        fabs(from) - most; /* a ray that comes nearer to it from the lamp is there when it has come that near */
+    return least >= fabs(from) ? 1 : room > along * fabs(from) ? fabs(from) / room : INFINITY;
+}
+
 static double far_from(const double at[3], const double low[3], const double high[3])
 {
     double square = 0;
@@ -76,10 +96,16 @@ static bool casts_into_view(const SceneSight *sight, const double eye[3], const 
                             const SightTriangle *moved)
 {
     const bool far = light->kind == SCENE_Directional;
-    const double reach = reach_of(sight, light, moved);
+    double reach = reach_of(sight, light, moved), farthest = far_from(eye, sight->low, sight->high);
+    for (int i = 0; i < sight->ground_count; i++)
+        reach = fmax(reach, ground_reach(sight->grounds[i], light, moved));
     if (!(reach < INFINITY))
         return true;
-    const double margin = spread_of(sight, light, moved, reach) + lifted * far_from(eye, sight->low, sight->high);
+    if (sight->ground_count)
+        farthest = fmax(farthest, far ? far_from(eye, moved->low, moved->high) + reach
+                                      : far_from(eye, light->position, light->position) +
+                                            reach * far_from(light->position, moved->low, moved->high));
+    const double margin = spread_of(sight, light, moved, reach) + lifted * farthest;
     bool beyond = false;
     for (int i = 0; i < sight->count && !beyond; i++) {
         const double *plane = sight->planes[i], most = most_inside(plane, moved);

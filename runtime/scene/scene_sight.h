@@ -7,8 +7,11 @@
 typedef struct {
     const double (*planes)[4];
     int count;
-    const Scene *casts;     /* its lights cast shadows, by maps, and none is an Area; NULL: none does */
-    double low[3], high[3]; /* of a box around all that shadows may fall on; low >= high: they fall anywhere */
+    const Scene *casts; /* its lights cast shadows, by maps, and none is an Area; NULL: none does */
+    double low[3],
+        high[3]; /* of a box around all that shadows may fall on, but grounds; low >= high: they fall anywhere */
+    const double (*grounds)[4]; /* infinite planes on which they may fall as well, n x + d = 0 with n of unit length */
+    int ground_count;
 } SceneSight;
 
 /* No point of the triangle is seen, wherever all are moved to by no more than `bound`, nor does one throw a shadow on what is. A tenth of how far it is away may a camera turn until it is; the lights may
