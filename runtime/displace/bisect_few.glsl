@@ -14,6 +14,27 @@ void bisectNextWaiting(int step)
     bisectWait();
 }
 
+// Merges, or makes the children of who is bisected. Leaves are asked in one place, whatever for: a driver's compiler takes up to seconds for each.
+void bisectChange(bool merging, uint group)
+{
+    uint asked = merging ? bisect_head[CHOSEN] : bisectDivide(group);
+    for (uint task = bisectTask(merging ? group : 0u); task < asked; task += merging ? asked : BISECT_THREADS) {
+        Asked a;
+        if (merging)
+            bisectMergeBegin(task, a);
+        else
+            bisectSplitBegin(task / 2u, task % 2u, a);
+        Answers answers = bisectAnswers(a);
+        bisectDue(a.slot, answers);
+        if (merging)
+            bisectMergeEnd(a, answers);
+        else
+            bisectSplitEnd(a, answers);
+    }
+    if (!merging)
+        bisectTurn(); // others are bisected next
+}
+
 void main()
 {
     if (gl_LocalInvocationIndex < BISECT_COUNTS)
@@ -32,10 +53,7 @@ void main()
         bisectNextWaiting(merging ? 1 : 3);
         uint groups = bisect_head[GROUPS_CHOSEN];
         for (uint group = 0u; group < groups; group++)
-            if (merging)
-                bisectMerge(group);
-            else
-                bisectSplit(group);
+            bisectChange(merging, group);
         bisectNextWaiting(merging ? 2 : 4);
     }
     if (gl_LocalInvocationIndex < BISECT_COUNTS)

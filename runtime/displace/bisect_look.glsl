@@ -7,18 +7,14 @@ void bisectLook(uint slot)
         if (bisect_fresh != 0)
             bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_head[FREE], 1u))] = slot;
     } else {
-        BisectBase base = bisectBase(leaf.base);
-        Corners t = bisectCorners(leaf.base, leaf.number);
         if (bisect_fresh != 0)
             bisectInsert(bisectId(leaf.base, leaf.number), slot);
-        float own = bisectWants(base, leaf.base, leaf.number, t, leaf.own), parent = BISECT_SURE;
-        if ((leaf.number & 1u) == 0u)
-            parent = bisectWants(base, leaf.base, leaf.number >> 1, bisectParent(leaf.number, t), leaf.behind);
-        bisectDue(slot, min(abs(own), abs(parent)));
-        if (own > 0.0) {
+        Answers answers = bisectAnswers(Asked(slot, leaf, leaf, bisectCorners(leaf.base, leaf.number), (leaf.number & 1u) == 0u));
+        bisectDue(slot, answers);
+        if (answers.own > 0.0) {
             flags = FLAG_WANTED;
             bisect_work[bisectWord(LIST_WANTED, atomicAdd(bisect_head[WANTED], 1u))] = slot;
-        } else if (parent <= 0.0) {
+        } else if (answers.parent <= 0.0) {
             flags = had == 0u ? FLAG_LESS | FLAG_ASKED : FLAG_LESS;
             if (had == 0u) // else it waits for one of its ring, which is asked when it need not be bisected any more
                 bisect_work[bisectWord(LIST_MERGING, atomicAdd(bisect_head[MERGING], 1u))] = slot;

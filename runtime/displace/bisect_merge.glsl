@@ -77,36 +77,48 @@ void bisectMergeRows(uint at, uint from)
         bisect_rows[from + BISECT_ROW + k] = bisect_rows[from + 2u * BISECT_ROW + k] = rows[BISECT_ROW + k];
 }
 
-void bisectMerge(uint group)
+void bisectMergeBegin(uint i, out Asked a)
 {
-    uint i = bisectTask(group);
-    if (i >= bisect_head[CHOSEN])
-        return;
     uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)], other = bisect_work[bisectWord(LIST_WANTED + 1u, i)];
-    Leaf first = bisectLeaf(slot), second = bisectLeaf(other), leaf = Leaf(first.base, first.number >> 1, first.behind, second.behind);
+    Leaf first = bisectLeaf(slot), second = bisectLeaf(other);
+    Leaf leaf = Leaf(first.base, first.number >> 1, first.behind, second.behind);
+    a = Asked(slot, first, leaf, bisectCorners(leaf.base, leaf.number), (leaf.number & 1u) == 0u);
     bisectMergeRows(3u * BISECT_ROW * slot, 3u * BISECT_ROW * other);
-    Corners t = bisectCorners(leaf.base, leaf.number), parent = bisectParent(leaf.number, t);
-    BisectBase at = bisectBase(leaf.base);
-    bool even = (leaf.number & 1u) == 0u;
-    float wants = even ? bisectWants(at, leaf.base, leaf.number >> 1, parent, leaf.behind) : BISECT_SURE;
-    bool less = wants <= 0.0;
-    bisectDue(slot, min(abs(bisectWants(at, leaf.base, leaf.number, t, leaf.own)), abs(wants)));
-    bisectReplace(slot, first, leaf);
     bisectReplace(other, second, Leaf(0u, 0u, 0u, 0u));
-    bisect_work[bisectWord(LIST_FLAGS, slot)] = less ? FLAG_LESS | FLAG_ASKED : 0u;
     bisect_work[bisectWord(LIST_FLAGS, other)] = 0u;
     bisect_work[bisectWord(LIST_FREE, atomicAdd(bisect_head[FREE], 1u))] = other;
+}
+
+void bisectMergeEnd(Asked a, Answers answers)
+{
+    Leaf leaf = a.leaf;
+    bool less = answers.parent <= 0.0;
+    bisectReplace(a.slot, a.had, leaf);
+    bisect_work[bisectWord(LIST_FLAGS, a.slot)] = less ? FLAG_LESS | FLAG_ASKED : 0u;
     bisectFence(); // who finds it has its flags
-    bisectInsert(bisectId(leaf.base, leaf.number), slot);
+    bisectInsert(bisectId(leaf.base, leaf.number), a.slot);
     if (less)
-        bisectAsk(slot);
-    if (leaf.number == 1u || (even && !less))
+        bisectAsk(a.slot);
+    if (leaf.number == 1u || (a.even && !less))
         return; // nobody waits for it: its ring stays
     bisectAskAgain(leaf.base, leaf.number >> 1);
-    Ring ring = bisectRing(leaf.base, leaf.number >> 1, parent);
+    Ring ring = bisectRing(leaf.base, leaf.number >> 1, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
     for (uint n = 0u; n < ring.count; n++) {
         uint base = leaf.base, number;
         bisectMember(ring, n, base, number);
         bisectAskAgain(base, number);
     }
 }
+
+#ifndef BISECT_FEW
+void bisectMerge(uint group)
+{
+    if (bisectTask(group) >= bisect_head[CHOSEN])
+        return;
+    Asked a;
+    bisectMergeBegin(bisectTask(group), a);
+    Answers answers = bisectAnswers(a);
+    bisectDue(a.slot, answers);
+    bisectMergeEnd(a, answers);
+}
+#endif

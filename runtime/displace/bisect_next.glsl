@@ -4,7 +4,7 @@
 
 // Rounds of no more triangles are for bisect_few.glsl, where it is, and are not counted.
 #ifdef BISECT_WIDE
-const uint FEW_MERGING = 2048u, FEW_WANTED = 168u;
+const uint FEW_MERGING = 256u, FEW_WANTED = 56u;
 #else
 const uint FEW_MERGING = 0u, FEW_WANTED = 0u;
 #endif

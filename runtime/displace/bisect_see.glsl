@@ -213,9 +213,44 @@ float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
     return depth < bisect_coarse ? BISECT_SURE : depth >= bisect_deepest ? -BISECT_SURE : wants;
 }
 
-// The leaf there has to be looked at again when the camera has moved by so much.
-void bisectDue(uint slot, float move)
+// A leaf that is asked: its place, what was there, and what is there from now on, whose corners are t; whether it is a child 0.
+struct Asked {
+    uint slot;
+    Leaf had, leaf;
+    Corners t;
+    bool even;
+};
+
+// Whether it is to be bisected; and, of a child 0, whether its parent would be: of others BISECT_SURE.
+struct Answers {
+    float own, parent;
+};
+
+Answers bisectAnswers(Asked a)
 {
-    float due = max(bisect_gone + 0.99 * min(move, BISECT_SURE) - bisect_slack, 0.0);
+    BisectBase base = bisectBase(a.leaf.base);
+    Answers answers = Answers(BISECT_SURE, BISECT_SURE);
+#ifdef BISECT_WIDE
+    Corners t = bisectCorners(a.leaf.base, a.leaf.number); // found anew sooner than kept, by a device
+    for (uint up = 0u; up <= uint(a.even); up++) { // as often as a device's compiler does not know, which would take its time for both
+        float wants = bisectWants(base, a.leaf.base, a.leaf.number >> up, t, up == 0u ? a.leaf.own : a.leaf.behind);
+        if (up == 0u)
+            answers.own = wants;
+        else
+            answers.parent = wants;
+        t = bisectParent(a.leaf.number, t);
+    }
+#else
+    answers.own = bisectWants(base, a.leaf.base, a.leaf.number, a.t, a.leaf.own);
+    if (a.even)
+        answers.parent = bisectWants(base, a.leaf.base, a.leaf.number >> 1, bisectParent(a.leaf.number, a.t), a.leaf.behind);
+#endif
+    return answers;
+}
+
+// The leaf there has to be looked at again when the camera has moved by so much.
+void bisectDue(uint slot, Answers answers)
+{
+    float move = min(abs(answers.own), abs(answers.parent)), due = max(bisect_gone + 0.99 * min(move, BISECT_SURE) - bisect_slack, 0.0);
     atomicMin(bisect_work[bisectWord(LIST_DUE, slot / BISECT_TILE)], floatBitsToUint(due));
 }

@@ -152,22 +152,11 @@ void main()
     bisectPut(base, Leaf(base, 1u, bisectError(1u, most), 0u));
 }
 #else
-// A leaf is there: it comes into the table, and is asked.
-void bisectMade(BisectBase base, uint slot, Leaf leaf, Corners t, float parent)
-{
-    float own = bisectWants(base, leaf.base, leaf.number, t, leaf.own);
-    bisectPut(slot, leaf);
-    bisect_work[bisectWord(LIST_FLAGS, slot)] = own > 0.0 ? FLAG_WANTED : parent <= 0.0 ? FLAG_LESS : 0u;
-    bisectInsert(bisectId(leaf.base, leaf.number), slot);
-    bisectDue(slot, min(abs(own), abs(parent)));
-    if (own > 0.0)
-        bisect_work[bisectWord(LIST_WANTED + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[WANTED_NEXT], 1u))] = slot;
-}
-
-// Of those that a group bisects: where they and their second children are, which they are, their corners, where these and the middle go to; and of each child the worst part's mean square, as a word: floats
+// Of those that a group bisects: where they and their second children are, what they were, their corners, where these and the middle go to; and of each child the worst part's mean square, as a word: floats
 // that are not negative have the order of their words.
 struct Split {
-    uint slot, place, base;
+    uint slot, place;
+    Leaf leaf;
     int deeper; // parts of a child are so much deeper than it
     Corners t;
     vec3 corners[3], middle;
@@ -193,7 +182,7 @@ void bisectPrepare(uint local, uint slot)
     uint free = atomicAdd(bisect_head[FREE], 0xFFFFFFFFu);
     splits[local].slot = slot;
     splits[local].place = int(free) > 0 ? bisect_work[bisectWord(LIST_FREE, free - 1u)] : atomicAdd(bisect_head[HIGH], 1u);
-    splits[local].base = leaf.base;
+    splits[local].leaf = leaf;
     splits[local].deeper = bisectDeeper(2u * leaf.number);
     splits[local].t = bisectCorners(leaf.base, leaf.number);
     splits[local].worst[0] = splits[local].worst[1] = 0u;
@@ -217,7 +206,7 @@ vec3 bisectPoint(uint local, bool middle, uint at, out vec3 within)
     int deeper = splits[local].deeper;
     uint part = at >> 2 & (1u << deeper) - 1u | 1u << deeper;
     within = bisectPartOf(part, deeper) * bisect_asked[at & 3u];
-    vec3 moved = bisectMoved(splits[local].base, middle ? bisectWeights(splits[local].t.a + splits[local].t.b >> 1)
+    vec3 moved = bisectMoved(splits[local].leaf.base, middle ? bisectWeights(splits[local].t.a + splits[local].t.b >> 1)
                                                         : bisectWeightsOf(bisectChild(splits[local].t, at >> 2 + deeper)) * within);
     if (middle) {
         splits[local].middle = moved;
@@ -237,16 +226,38 @@ void bisectWorst(uint local, uint at, float sum)
     atomicMax(splits[local].worst[at >> 2 + splits[local].deeper], floatBitsToUint(sum / 4.0));
 }
 
-void bisectMakeChild(uint local, uint child, Leaf leaf)
+// One child of one of them.
+void bisectSplitBegin(uint local, uint child, out Asked a)
 {
-    Corners t = splits[local].t;
-    BisectBase base = bisectBase(leaf.base);
-    uint number = 2u * leaf.number + child;
-    float wants = child == 0u ? bisectWants(base, leaf.base, leaf.number, t, leaf.own) : BISECT_SURE; // or one of its ring does
-    Leaf made = Leaf(leaf.base, number, min(leaf.own, bisectError(number, uintBitsToFloat(splits[local].worst[child]))),
-                     child == 0u ? leaf.own : leaf.behind);
-    bisectMade(base, child == 0u ? splits[local].slot : splits[local].place, made, bisectChild(t, child), wants);
+    uint number = 2u * splits[local].leaf.number + child;
+    Leaf leaf = splits[local].leaf;
+    a.slot = child == 0u ? splits[local].slot : splits[local].place;
+    a.had = leaf;
+    a.t = bisectChild(splits[local].t, child);
+    a.even = child == 0u;
+    a.leaf = Leaf(leaf.base, number, min(leaf.own, bisectError(number, uintBitsToFloat(splits[local].worst[child]))), child == 0u ? leaf.own : leaf.behind);
 }
+
+// It is there, and comes into the table.
+void bisectSplitEnd(Asked a, Answers answers)
+{
+    bisectPut(a.slot, a.leaf);
+    bisect_work[bisectWord(LIST_FLAGS, a.slot)] = answers.own > 0.0 ? FLAG_WANTED : answers.parent <= 0.0 ? FLAG_LESS : 0u;
+    bisectInsert(bisectId(a.leaf.base, a.leaf.number), a.slot);
+    if (answers.own > 0.0)
+        bisect_work[bisectWord(LIST_WANTED + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[WANTED_NEXT], 1u))] = a.slot;
+}
+
+#ifndef BISECT_FEW
+void bisectSplitChild(uint local, uint child)
+{
+    Asked a;
+    bisectSplitBegin(local, child, a);
+    Answers answers = bisectAnswers(a);
+    bisectDue(a.slot, answers);
+    bisectSplitEnd(a, answers);
+}
+#endif
 
 #ifdef BISECT_WIDE
 // Threads of a group wait for each other.
@@ -293,21 +304,8 @@ void bisectDisplace(uint count)
     }
 }
 
-// Both children of each, by a thread of their own; what both read of the leaf is read before the first one takes its place.
-void bisectMakeChildren(uint count)
-{
-    for (uint turn = 0u; turn < 2u * count; turn += BISECT_THREADS) {
-        uint task = turn + bisectTask(0u), local = task / 2u;
-        Leaf leaf = Leaf(0u, 0u, 0u, 0u);
-        if (task < 2u * count)
-            leaf = bisectLeaf(splits[local].slot);
-        bisectTurn();
-        if (task < 2u * count)
-            bisectMakeChild(local, task % 2u, leaf);
-    }
-}
-
-void bisectSplit(uint group)
+// Of those chosen that the group bisects: all but their children; how many these are.
+uint bisectDivide(uint group)
 {
     uint first = BISECT_SPLITS * group, all = bisect_head[FULL] != 0u ? 0u : bisect_head[CHOSEN], count = min(max(all, first) - first, BISECT_SPLITS);
     if (bisectTask(0u) < count)
@@ -323,9 +321,19 @@ void bisectSplit(uint group)
     bisectTurn();
     bisectDisplace(count);
     bisectTurn();
-    bisectMakeChildren(count);
+    return 2u * count;
+}
+
+#ifndef BISECT_FEW
+// Both children of each, by a thread of their own.
+void bisectSplit(uint group)
+{
+    uint children = bisectDivide(group);
+    for (uint task = gl_LocalInvocationIndex; task < children; task += BISECT_THREADS)
+        bisectSplitChild(task / 2u, task % 2u);
     bisectTurn(); // others are bisected next
 }
+#endif
 #else
 // A thread has each to itself: where threads run one behind the other, to deal them out is no gain, and they would wait for each other.
 void bisectSplit(uint group)
@@ -333,9 +341,7 @@ void bisectSplit(uint group)
     uint i = bisectTask(group), local = gl_LocalInvocationIndex;
     if (i >= bisect_head[CHOSEN] || bisect_head[FULL] != 0u)
         return;
-    uint slot = bisect_work[bisectWord(LIST_CHOSEN, i)];
-    Leaf leaf = bisectLeaf(slot);
-    bisectPrepare(local, slot);
+    bisectPrepare(local, bisect_work[bisectWord(LIST_CHOSEN, i)]);
     for (uint k = 0u; k < BISECT_ROW; k++)
         bisectCopyRows(local, k);
     float sum = 0.0;
@@ -349,7 +355,7 @@ void bisectSplit(uint group)
             bisectWorst(local, at, sum);
     }
     for (uint child = 0u; child < 2u; child++)
-        bisectMakeChild(local, child, leaf);
+        bisectSplitChild(local, child);
 }
 #endif
 #endif

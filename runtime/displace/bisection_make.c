@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 extern const char render_text_displace_point[], render_text_bisect[], render_text_bisect_see[],
     render_text_bisect_scan[], render_text_bisect_look[], render_text_bisect_merge[], render_text_bisect_choose[],
@@ -37,13 +38,15 @@ bool bisection_casts(const SceneLight *light)
                                         light->kind == SCENE_Spot || light->kind == SCENE_Area);
 }
 
+static const char with_lights[] = "#define BISECT_LIGHTS\n";
+
 /* Programs of a scene without such lights have no loop over them: llvmpipe pays for what it does not enter. */
 static const char *lights_of(const Scene *scene)
 {
     bool casts = false;
     for (int i = 0; i < scene->light_count; i++)
         casts |= bisection_casts(&scene->lights[i]);
-    return casts ? "#define BISECT_LIGHTS\n" : "\n";
+    return casts ? with_lights : "\n";
 }
 
 /* What stages follow each other by, what they see, and what they do. */
@@ -64,11 +67,18 @@ static bool make_moving(const DisplacedMaking *making, const char *define, const
     return displaced_program(making, &text, made);
 }
 
+/* NVIDIA's compiler takes 13 s for the program that has all rounds where lights are, and 4 where its loops stay loops. Views are slower by it, by up to a ninth of a millisecond; so without lights, where it
+ * takes 4 s anyway, they do not. Others know no such pragma, and pass over it. */
+static const char with_loops[] = "#pragma optionNV(unroll none)\n";
+enum { DEFINES = 64, FEW_DEFINES = DEFINES + sizeof with_loops };
+
 /* Those that displace points. */
 static bool make_moving_stages(const DisplacedMaking *making, const char *defines, Displaced *made)
 {
     Bisection *b = made->own;
     const bool wide = store_context(making->store)->hardware;
+    char few_defines[FEW_DEFINES];
+    snprintf(few_defines, sizeof few_defines, "%s%s", defines, strstr(defines, with_lights) ? with_loops : "");
     static const char step[] = "#define BISECT_STEP 4\n#define BISECT_STAGE bisectSplit\n";
     const ProgramText split = {.compute = {step, render_text_bisect, render_text_bisect_see, render_text_bisect_split,
                                            render_text_bisect_next}},
@@ -77,7 +87,7 @@ static bool make_moving_stages(const DisplacedMaking *making, const char *define
                                          render_text_bisect_next, render_text_bisect_few}},
                       begin = {.compute = {render_text_bisect, render_text_bisect_see, render_text_bisect_split}};
     return make_moving(making, defines, &split, &made->material) &&
-           (!wide || make_moving(making, defines, &few, &b->stages[BISECTION_FEW])) &&
+           (!wide || make_moving(making, few_defines, &few, &b->stages[BISECTION_FEW])) &&
            make_moving(making, "#define BISECT_BEGIN\n", &begin, &b->stages[BISECTION_BEGIN]);
 }
 
@@ -104,7 +114,7 @@ static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisectio
     };
     const char *lights = lights_of(making->scene),
                *wide = store_context(making->store)->hardware ? "#define BISECT_WIDE\n" : "\n";
-    char defines[64];
+    char defines[DEFINES];
     snprintf(defines, sizeof defines, "%s%s", lights, wide);
     bool fine = make_moving_stages(making, defines, made);
     for (int i = 0; fine && i < BISECTION_BEGIN; i++) {
