@@ -39,8 +39,7 @@ pairs() {
 } >"$work/query"
 
 [ $# -gt 0 ] || set -- compiler/*.c compiler/*/*.c
-for file in "$@"; do
-    clang-query -f "$work/query" "$file" -- -std=c11 -D_GNU_SOURCE -I. -I/usr/include/cjson >"$work/out" 2>&1
-    grep -A1 -E '"root" binds here|error:' "$work/out" >>"$work/found" || :
-done
-[ ! -s "$work/found" ] || { cat "$work/found"; exit 1; }
+# Sixteen at a time: to start takes it longer than to read one
+printf '%s\n' "$@" | xargs -n 16 sh -c 'clang-query -f "$0" "$@" -- -std=c11 -D_GNU_SOURCE -I. -I/usr/include/cjson' "$work/query" >"$work/out" 2>&1 ||
+    echo "error: clang-query failed" >>"$work/out"
+! grep -A1 -E '"root" binds here|error:' "$work/out"
