@@ -127,7 +127,6 @@ static void put_functions(Scope *e, Text *out, const bool *run)
 static void put_output(Scope *e, Text *out, const IrOutput *output)
 {
     bool named = target_table[e->job->target].in_out;
-    emit_needed(e, out, output->value, 1);
     if (output->kind == OUT_discard) {
         text_put(out, "    if (");
         emit_expression(e, out, output->value, PRECEDENCE_any);
@@ -173,10 +172,17 @@ static void put_main(Scope *e, Text *out)
     const Ir *ir = e->ir;
     Ref roots[MOST_OUTPUTS];
     Text body = text_new(e->session->arena);
-    emit_scope_open(e, NULL, roots, roots_of(ir, roots));
-    for (int i = 0; i < ir->output_count; i++)
-        if (ir_is_of_fragments(&ir->outputs[i]))
-            put_output(e, &body, &ir->outputs[i]);
+    const int count = roots_of(ir, roots);
+    emit_scope_open(e, NULL, roots, count);
+    for (int i = 0; i < ir->output_count; i++) {
+        if (!ir_is_of_fragments(&ir->outputs[i]))
+            continue;
+        if (count == 1) /* all that there is is needed */
+            emit_block(e, &body, 0, 1);
+        else
+            emit_needed(e, &body, ir->outputs[i].value, 1);
+        put_output(e, &body, &ir->outputs[i]);
+    }
     text_put(out, "void main() {\n");
     put_changes(out, e->interface, ir->function_count > 0);
     attribute_put_changes(out, e->interface, ir->function_count > 0 ? ATTRIBUTE_CHANGES_shared : ATTRIBUTE_CHANGES_whole);

@@ -51,8 +51,9 @@ static bool has_word(const char *list, const char *word)
 /* The part behind `start`, NULL where the name begins otherwise. */
 static const char *behind(const char *name, const char *start)
 {
-    const size_t size = strlen(start);
-    return strncmp(name, start, size) ? NULL : name + size;
+    while (*start && *start == *name)
+        start++, name++;
+    return *start ? NULL : name;
 }
 
 /* sampler2D, iimageCubeArray, utextureBuffer: a letter for whole numbers, what it is, and how it is laid out. */
@@ -114,7 +115,7 @@ bool reserved_is_word(const char *name)
     if (has_word(keywords, name) || has_word(functions, name) || has_word(own, name) || is_type(name))
         return true;
     for (int i = 0; i < INPUT_COUNT; i++)
-        if (!strcmp(input_table[i].glsl, name))
+        if (*input_table[i].glsl == *name && !strcmp(input_table[i].glsl, name)) /* most differ in the first letter */
             return true;
     for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++)
         if (behind(name, prefixes[i]))
