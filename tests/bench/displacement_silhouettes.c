@@ -7,8 +7,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* From where the asteroid is seen: outlines go by other bumps from each side. */
+static const double views[][3] = {{0, -3, .6}, {2.5, 1.7, .5}, {-2.6, 1.2, -1}, {.5, 1, 2.85}};
 /* A pixel of the picture is SCALE by SCALE here, and so `pixels` of the methods count that much more. */
-enum { SCALE = 4, EDGE = 160 * SCALE, PIXELS = EDGE * EDGE, SEARCH = 8 * SCALE, TEXT = 2048 };
+enum {
+    SCALE = 4,
+    EDGE = 160 * SCALE,
+    PIXELS = EDGE * EDGE,
+    SEARCH = 8 * SCALE,
+    TEXT = 2048,
+    VIEWS = sizeof views / sizeof *views
+};
 
 static const struct {
     const char *name, *how;
@@ -18,6 +27,7 @@ static const struct {
             {"bisection, 1/2 pixel", "method: bisection, pixels: 2, triangles: 1000000"},
             {"bisection, 1 pixel", "method: bisection, pixels: 4, triangles: 1000000"},
             {"bisection, 3/4, of 60000", "method: bisection, pixels: 3, triangles: 60000"},
+            {"bisection, 3/8, of 60000", "method: bisection, pixels: 1.5, triangles: 60000"},
             {"traced, 1920 triangles", "method: traced, triangles: 1920"}};
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -40,8 +50,15 @@ static void read_mask(const float *light, Mask *mask)
         mask->count += mask->covered[i] = light[4 * i] > .1f;
 }
 
-/* Triangles come back where edges are blended. */
-static bool draw(GlContext *gl, const char *how, bool counted, Mask *mask)
+static bool draw_view(Render *render, Scene *scene, int view, float *light)
+{
+    memcpy(scene->camera.position, views[view], sizeof views[view]);
+    return scene_camera_aim(&scene->camera) == SCENE_AIM_fine && render_changed(render, RENDER_CAMERA) &&
+           render_frame(render) && render_read(render, light);
+}
+
+/* A mask for each view. Triangles come back where edges are blended. */
+static bool draw(GlContext *gl, const char *how, bool counted, Mask *masks)
 {
     char text[TEXT];
     MatcOptions compile;
@@ -62,13 +79,15 @@ static bool draw(GlContext *gl, const char *how, bool counted, Mask *mask)
         .compile = &compile, .view = "light", .edges = counted ? RENDER_EDGES_coverage : RENDER_EDGES_none};
     Render *render = scene ? render_open(gl, &options) : NULL;
     float *light = malloc(4 * (size_t)PIXELS * sizeof *light);
-    const bool fine =
-        (light && render && render_scene(render, scene) && render_frame(render) && render_read(render, light)) ||
-        fail(gl, scene, document);
-    if (fine) {
-        read_mask(light, mask);
-        mask->triangles = counted ? scene->meshes[scene->objects[0].mesh].shape.index_count / 3 : 0;
+    bool fine = light && render && render_scene(render, scene);
+    for (int view = 0; fine && view < VIEWS; view++) {
+        fine = draw_view(render, scene, view, light);
+        if (!fine)
+            break;
+        read_mask(light, &masks[view]);
+        masks[view].triangles = counted ? scene->meshes[scene->objects[0].mesh].shape.index_count / 3 : 0;
     }
+    fine = fine || fail(gl, scene, document);
     free(light);
     render_close(render);
     scene_free(scene);
@@ -96,8 +115,13 @@ static double distance_of(const bool *covered, int at)
     return sqrt(least) / SCALE;
 }
 
+/* How far one outline is from the other: in the mean, at most. */
+typedef struct {
+    double mean, most;
+} Apart;
+
 /* Every pixel that one has and the other has not is between both outlines. */
-static void print_row(const char *name, const Mask *truth, const Mask *mask)
+static Apart compare(const Mask *truth, const Mask *mask)
 {
     long outline = 0, between = 0;
     double most = 0;
@@ -108,26 +132,56 @@ static void print_row(const char *name, const Mask *truth, const Mask *mask)
         between++;
         most = fmax(most, distance_of(truth->covered, i));
     }
-    printf("%-24s %10d %10.1f %10.3f %10.2f\n", name, mask->triangles,
-           (double)truth->count / SCALE / SCALE / (mask->triangles / 2.), (double)between / (double)outline / SCALE,
-           most);
+    return (Apart){(double)between / (double)outline / SCALE, most};
+}
+
+static void print_row(const char *name, const Mask *truth, const Mask *masks)
+{
+    Apart all = {0};
+    double triangles = 0, pixels = 0;
+    const Apart first = compare(&truth[0], &masks[0]);
+    for (int view = 0; view < VIEWS; view++) {
+        const Apart one = compare(&truth[view], &masks[view]);
+        all.mean += one.mean / VIEWS;
+        all.most = fmax(all.most, one.most);
+        triangles += (double)masks[view].triangles / VIEWS;
+        pixels += (double)truth[view].count / SCALE / SCALE / VIEWS;
+    }
+    printf("%-24s %9d %7.1f %7.3f %7.2f   %9.0f %7.1f %7.3f %7.2f\n", name, masks[0].triangles,
+           (double)truth[0].count / SCALE / SCALE / (masks[0].triangles / 2.), first.mean, first.most, triangles,
+           pixels / (triangles / 2), all.mean, all.most);
+}
+
+static bool make_masks(Mask masks[VIEWS])
+{
+    bool fine = true;
+    for (int view = 0; view < VIEWS; view++) {
+        masks[view].covered = malloc(PIXELS * sizeof(bool));
+        fine &= masks[view].covered != NULL;
+    }
+    return fine;
 }
 
 bool displacement_silhouettes(GlContext *gl)
 {
-    Mask truth = {malloc(PIXELS * sizeof(bool)), 0, 0}, mask = {malloc(PIXELS * sizeof(bool)), 0, 0};
-    bool fine = truth.covered && mask.covered && draw(gl, "method: traced, triangles: 250000", false, &truth);
+    Mask truth[VIEWS] = {{NULL, 0, 0}}, masks[VIEWS] = {{NULL, 0, 0}};
+    const bool room[2] = {make_masks(truth), make_masks(masks)};
+    bool fine = room[0] && room[1] && draw(gl, "method: traced, triangles: 250000", false, truth);
     if (fine)
         printf("\nsilhouettes of an asteroid in %d x %d pixels: triangles, pixels for each that is turned to the "
-               "camera; how far its "
-               "outline is from the surface's, in pixels: in the mean, at most\n%-24s %10s %10s %10s %10s\n",
-               EDGE / SCALE, EDGE / SCALE, "method", "triangles", "pixels", "mean", "most");
+               "camera; how far its outline is from the surface's, in pixels: in the mean, at most; the same from %d "
+               "sides\n"
+               "%-24s %9s %7s %7s %7s   %9s %7s %7s %7s\n",
+               EDGE / SCALE, EDGE / SCALE, VIEWS, "method", "triangles", "pixels", "mean", "most", "triangles",
+               "pixels", "mean", "most");
     for (int i = 0; fine && i < ROWS; i++) {
-        fine = draw(gl, rows[i].how, true, &mask);
+        fine = draw(gl, rows[i].how, true, masks);
         if (fine)
-            print_row(rows[i].name, &truth, &mask);
+            print_row(rows[i].name, truth, masks);
     }
-    free(truth.covered);
-    free(mask.covered);
+    for (int view = 0; view < VIEWS; view++) {
+        free(truth[view].covered);
+        free(masks[view].covered);
+    }
     return fine;
 }
