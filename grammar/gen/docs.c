@@ -1,5 +1,6 @@
-/* Host program: the tables and the examples -> reference.md and diagnostics.md. docs OUTPUT_FOLDER EXAMPLES_FOLDER
+/* Host program: the tables and the examples -> reference.md, diagnostics.md and functions.yaml. docs OUTPUT_FOLDER EXAMPLES_FOLDER
  * Pictures are referred to as pictures/<stem of the example>.png; matview makes them. */
+#include "docs_formulas.h"
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
 #include "runtime/library/reference.h"
@@ -279,6 +280,8 @@ static void put_reference(Text *out)
             text_format(out, "\n## %s\n", section->title);
         put_kind(out, (Kind)kind);
     }
+    docs_functions(out);
+    docs_library(out);
     put_waves(out);
     LIST(out, "Channels", "channel", channel_table, CHANNEL_COUNT);
     LIST(out, "Slots", "slot", slot_table, SLOT_COUNT);
@@ -319,9 +322,11 @@ int main(int argc, char **argv)
     }
     examples = argv[2];
     Arena arena = {0};
-    Text reference = text_new(&arena), diagnostics = text_new(&arena);
+    Text reference = text_new(&arena), diagnostics = text_new(&arena), functions = text_new(&arena);
     put_reference(&reference);
     put_diagnostics(&diagnostics);
+    docs_function_document(&functions);
+    write_file(argv[1], "functions.yaml", &functions);
     write_file(argv[1], "reference.md", &reference);
     write_file(argv[1], "diagnostics.md", &diagnostics);
     arena_free(&arena);
