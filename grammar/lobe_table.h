@@ -20,4 +20,6 @@ extern const LobeRow lobe_table[LOBE_COUNT];
 #define MODEL_LOBE(lobe) (1u << (MODEL_COUNT + (lobe)))
 /* And one for a surface that may send light of its own. */
 #define MODEL_EMITS MODEL_LOBE(LOBE_COUNT)
+/* And one where a map may give its normal. */
+#define MODEL_RELIEF MODEL_LOBE(LOBE_COUNT + 1)
 #endif

@@ -129,6 +129,12 @@ static void slots_are_openpbrs(void **state)
                 "u=0.3 v=0.4", (double[]){.6, 0, .8});
     expect_coat("material: Layer\nbase: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\ncoat: '= step(.5, u)'\n",
                 "u=0.7 v=0.4", (double[]){0, 0, 0});
+    expect_coat("material: Layer\nbase: { material: Principled, input: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\n", "u=0.3", (double[]){0, 0, 1});
+    expect_coat("material: Layer\nbase: { material: Phong, input: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\n", "u=0.3", (double[]){0, 0, 1});
+    expect_coat("material: Layer\nbase: { material: Phong, input: &a { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\ncoatNormal: *a\n", "u=0.3", (double[]){0, 0, 0});
+    expect_coat("material: Layer\nbase: { material: Phong }\ncoatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] }\n", "u=0.3", (double[]){.6, 0, .8});
+    expect_coat("material: Layer\nbase: { material: Mix, mask: 1, a: { material: Phong, input: { map: BumpMap } }, b: { material: Phong } }\n", "u=0.3", (double[]){0, 0, 1});
+    expect_coat("material: Layer\nbase: { material: Mix, mask: 1, a: { material: Phong }, b: { material: Principled } }\n", "u=0.3", (double[]){0, 0, 0});
     expect_coat("material: Mix\nmask: 0.5\na: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\n"
                 "b: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.2, 0.5, 0.9] } }\n", "u=0.3", (double[]){0, 0, 1});
     expect_coat("material: Mix\nmask: 0.5\na: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\nb: { material: Principled }\n", "u=0.3",

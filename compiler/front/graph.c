@@ -82,6 +82,21 @@ static unsigned phong_emits(const Node *material)
     return value_is_zero(node_param(material, P_Phong_emissive)) ? 0 : MODEL_EMITS;
 }
 
+static unsigned relief_of(const Value *input) { return input->kind == VALUE_node ? MODEL_RELIEF : 0; }
+
+bool graph_coat_follows(const Graph *graph, const Node *coated)
+{
+    const bool layer = coated->kind == KIND_Layer;
+    const Value *own = layer ? node_param(coated, P_Layer_coatNormal) : node_param(coated, P_Principled_coatNormal);
+    const Value *under = layer ? node_param(coated, P_Layer_base) : NULL;
+    const Node *map = own->kind == VALUE_node ? own->node : NULL, *base = !layer ? coated : under->kind == VALUE_node ? under->node : NULL;
+    if (!base || !(graph->models[base->index] & MODEL_RELIEF))
+        return !map;
+    if (base->kind != KIND_Principled && base->kind != KIND_Phong)
+        return false;
+    return (base->kind == KIND_Phong ? node_param(base, P_Phong_input) : node_param(base, P_Principled_input))->node == map;
+}
+
 /* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of an AlgorithmSwitch only the first is shown, and
  * a missing front of a SideSwitch is grey. */
 static unsigned models_of(const Graph *graph, const Node *node)
@@ -89,9 +104,9 @@ static unsigned models_of(const Graph *graph, const Node *node)
     const KindRow *row = &kind_table[node->kind];
     unsigned models = 0;
     if (node->kind == KIND_Principled)
-        return 1u << MODEL_Principled | lobes_of(node) | principled_emits(node);
+        return 1u << MODEL_Principled | lobes_of(node) | principled_emits(node) | relief_of(node_param(node, P_Principled_input));
     if (node->kind == KIND_Phong)
-        return 1u << MODEL_Phong | phong_emits(node);
+        return 1u << MODEL_Phong | phong_emits(node) | relief_of(node_param(node, P_Phong_input));
     if (node->kind == KIND_Layer)
         models |= 1u << MODEL_Principled | MODEL_LOBE(LOBE_coat);
     for (int i = 0; i < row->count && !(models && node->kind == KIND_AlgorithmSwitch); i++)

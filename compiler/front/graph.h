@@ -133,7 +133,7 @@ typedef struct {
     struct Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     int def_count;
     int node_count;
-    unsigned *models; /* by node's index: 1 << Model of the surface model that a material shows, MODEL_LOBE of the lobes that it may have, and MODEL_EMITS */
+    unsigned *models; /* by node's index: 1 << Model of the surface model that a material shows, MODEL_LOBE of the lobes that it may have, MODEL_EMITS and MODEL_RELIEF */
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
     Names uniform_names; /* theirs, in the same order */
@@ -171,6 +171,8 @@ bool graph_displaces_volume(const Node *material);
 bool value_is_zero(const Value *value);
 /* Fills graph->models, which has room: of nodes, inputs before users. A missing material is a grey Phong. */
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count);
+/* Whether the coat of a Principled or a Layer has the normal of what it lies on: both have the surface's, or the same map gives them. */
+bool graph_coat_follows(const Graph *graph, const Node *coated);
 
 /* The parameter that P_<kind>_<name> of tables.h names. */
 static inline const Value *node_param(const Node *node, int param)

@@ -178,15 +178,17 @@ Ref lower_unit_slope(Lower *l, Ref n, Ref change);
 /* The parameters of a coat: of a Principled, or of a Layer. lower_coat.c */
 typedef struct {
     const Node *of;
-    int weight, color, roughness, ior, darkening, roughening;
+    int weight, color, roughness, ior, darkening, roughening, normal;
 } Coat;
 #define COAT_OF(node, kind)                                                                                            \
     {                                                                                                                  \
         node, P_##kind##_coat, P_##kind##_coatColor, P_##kind##_coatRoughness, P_##kind##_coatIor,                     \
-            P_##kind##_coatDarkening, P_##kind##_coatRoughening                                                        \
+            P_##kind##_coatDarkening, P_##kind##_coatRoughening, P_##kind##_coatNormal                                 \
     }
 /* One of its slots, over a base of that diffuse colour. */
 Ref lower_coat_slot(Lower *l, const Coat *coat, Slot slot, Ref diffuse, const Env *env);
+/* Its normal, a direction, where its weight is above 0; nothing where it has that of the base. */
+Ref lower_coat_normal(Lower *l, const Coat *coat, const Env *env);
 /* What lies below it: how rough it looks, what it reflects along the normal, an index of refraction against air given, and what it sends. */
 Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env *env);
 Ref lower_coated_reflectance(Lower *l, const Coat *coat, Ref ior, const Env *env);

@@ -81,6 +81,16 @@ Ref lower_coat_slot(Lower *l, const Coat *coat, Slot slot, Ref diffuse, const En
     }
 }
 
+Ref lower_coat_normal(Lower *l, const Coat *coat, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref there = weight(l, coat, env);
+    if (graph_coat_follows(l->graph, coat->of) || ir_is_number(ir, there, 0))
+        return build_all(ir, TYPE_vec3, 0);
+    Ref own = lower_ask(l, lower_param_node(coat->of, coat->normal), GROUP_N, env);
+    return lower_where_there(ir, there, SLOT_coatNormal, build_call(ir, FN_safeNormalize, own));
+}
+
 Ref lower_where_there(Ir *ir, Ref weight, Slot slot, Ref value)
 {
     Ref absent = build_all(ir, slot_table[slot].type, slot_table[slot].absent);
@@ -129,7 +139,8 @@ Ref lower_coated_film(Lower *l, const Coat *coat, Ref ior, const Env *env)
 
 Ref lower_film_ior(Ir *ir, Ref ior)
 {
-    return build_clamp(ir, ior, build_float(ir, slot_table[SLOT_filmIor].low), build_float(ir, slot_table[SLOT_filmIor].high));
+    return build_clamp(ir, ior, build_float(ir, slot_table[SLOT_filmIor].low),
+                       build_float(ir, slot_table[SLOT_filmIor].high));
 }
 
 /* The index of refraction against air that reflects so much along the normal. */
@@ -148,7 +159,9 @@ static Ref below(Lower *l, const Coat *coat, Slot slot, Ref base, const Env *env
     case SLOT_roughness:
         return lower_coated_roughness(l, coat, base, env);
     case SLOT_reflectance:
-        return ir_is_number(l->ir, weight(l, coat, env), 0) ? base : lower_coated_reflectance(l, coat, ior_of(l->ir, base), env);
+        return ir_is_number(l->ir, weight(l, coat, env), 0)
+                   ? base
+                   : lower_coated_reflectance(l, coat, ior_of(l->ir, base), env);
     default:
         return base;
     }
@@ -159,14 +172,17 @@ Ref lower_Layer(Lower *l, const Node *m, Slot slot, const Env *env)
     Ir *ir = l->ir;
     const Coat coat = COAT_OF(m, Layer);
     const Node *side = lower_param_node(m, P_Layer_base);
-    const bool own = slot == SLOT_coat || slot == SLOT_coatTint || slot == SLOT_coatRoughness || slot == SLOT_coatReflectance;
+    const bool own =
+        slot == SLOT_coat || slot == SLOT_coatTint || slot == SLOT_coatRoughness || slot == SLOT_coatReflectance;
     const Ref base = build_convert(ir, lower_value_slot(l, side, true, slot, env), slot_table[slot].type);
     if (slot == SLOT_filmIor) {
         const Ref film = lower_value_slot(l, side, true, SLOT_film, env);
-        return ir_is_number(ir, film, 0) ? base : lower_where_there(ir, film, slot, lower_coated_film(l, &coat, base, env));
+        return ir_is_number(ir, film, 0) ? base
+                                         : lower_where_there(ir, film, slot, lower_coated_film(l, &coat, base, env));
     }
-    if (slot == SLOT_coatNormal && !ir_is_number(ir, base, 0)) /* of the base's coat, where that is seen */
-        return build_select(ir, build_lt(ir, build_float(ir, 0), weight(l, &coat, env)), build_all(ir, TYPE_vec3, 0), base);
+    if (slot == SLOT_coatNormal) /* of the base's coat, where that is seen */
+        return build_select(ir, build_lt(ir, build_float(ir, 0), weight(l, &coat, env)),
+                            lower_coat_normal(l, &coat, env), base);
     if (!own)
         return below(l, &coat, slot, base, env);
     const Ref diffuse = build_convert(ir, lower_value_slot(l, side, true, SLOT_diffuse, env), TYPE_vec3);

@@ -203,17 +203,6 @@ Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env)
     return build_call(ir, FN_anisotropyStored, own, normal, du, dv);
 }
 
-/* Where it is not the normal of `input`, as where neither is given. */
-static Ref coat_normal(Lower *l, const Node *m, const Env *env)
-{
-    Ir *ir = l->ir;
-    const Node *own = lower_param_node(m, P_Principled_coatNormal);
-    Ref there = share(l, m, P_Principled_coat, env);
-    if (own == lower_param_node(m, P_Principled_input) || ir_is_number(ir, there, 0))
-        return build_all(ir, TYPE_vec3, 0);
-    return lower_where_there(ir, there, SLOT_coatNormal, build_call(ir, FN_safeNormalize, lower_ask(l, own, GROUP_N, env)));
-}
-
 Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
@@ -260,7 +249,7 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
     case SLOT_anisotropy:
         return anisotropy(l, m, env);
     case SLOT_coatNormal:
-        return coat_normal(l, m, env);
+        return lower_coat_normal(l, &coat, env);
     case SLOT_diffuseRoughness:
         return share(l, m, P_Principled_diffuseRoughness, env);
     default:

@@ -31,7 +31,10 @@ static OracleCoat coat_of(Environment *environment, const Node *node, const int 
     return coat;
 }
 
-static double film_ior(double ior) { return fmin(fmax(ior, slot_table[SLOT_filmIor].low), slot_table[SLOT_filmIor].high); }
+static double film_ior(double ior)
+{
+    return fmin(fmax(ior, slot_table[SLOT_filmIor].low), slot_table[SLOT_filmIor].high);
+}
 
 /* The base's slots below it, then its own; `ior` is the base's against air, `specular` the weight of what that reflects. */
 static void lay(const OracleCoat *coat, double ior, double specular, SlotValues *result)
@@ -62,8 +65,10 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
 static void set_anisotropy(Environment *environment, const Node *material, SlotValues *result)
 {
     const double strength = unit(ask_red(environment, material, P_Principled_anisotropy));
-    double turn = 4 * M_PI * ask_red(environment, material, P_Principled_anisotropyRotation), tangent[3], beside[3], m[3];
-    const double *du = &environment->surface->root[channel_id(GROUP_DU, 0)], *dv = &environment->surface->root[channel_id(GROUP_DV, 0)];
+    double turn = 4 * M_PI * ask_red(environment, material, P_Principled_anisotropyRotation), tangent[3], beside[3],
+           m[3];
+    const double *du = &environment->surface->root[channel_id(GROUP_DU, 0)],
+                 *dv = &environment->surface->root[channel_id(GROUP_DV, 0)];
     if (!(strength > 0))
         return;
     if (node_param(material, P_Principled_tangent)->kind != VALUE_none) {
@@ -84,10 +89,13 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
  * where it came in. The diffuse slot is b (1 - metal + metal weight) before. */
 static void let_through(Environment *environment, const Node *material, SlotValues *result)
 {
-    const double clear = unit(ask_red(environment, material, P_Principled_transmission)), metal = result->lane[SLOT_metalness][0];
-    const double below = unit(ask_red(environment, material, P_Principled_subsurface)), opacity = result->lane[SLOT_alpha][0];
+    const double clear = unit(ask_red(environment, material, P_Principled_transmission)),
+                 metal = result->lane[SLOT_metalness][0];
+    const double below = unit(ask_red(environment, material, P_Principled_subsurface)),
+                 opacity = result->lane[SLOT_alpha][0];
     const double on = fmin(fmax(ask_red(environment, material, P_Principled_subsurfaceAnisotropy), -1), 1);
-    const double weight = ask_red(environment, material, P_Principled_specular), base_weight = ask_red(environment, material, P_Principled_baseWeight);
+    const double weight = ask_red(environment, material, P_Principled_specular),
+                 base_weight = ask_red(environment, material, P_Principled_baseWeight);
     const bool thin = oracle_number(material, P_Principled_thinWalled) != 0;
     double tint[3], scattered[3], base[3], most = 0;
     if (!(clear > 0) && !(below > 0))
@@ -99,7 +107,8 @@ static void let_through(Environment *environment, const Node *material, SlotValu
         const double back = scattered[i] * (thin ? (1 - on) / 2 : 1), own = base[i] * base_weight;
         const double through = clear * (1 - unit(metal)) * (thin ? unit(tint[i]) : sqrt(unit(tint[i])));
         result->lane[SLOT_diffuse][i] = (1 - metal) * (1 - clear) * (own + below * (back - own)) + metal * own * weight;
-        result->lane[SLOT_diffuseTransparency][i] = thin ? below * (1 - clear) * (1 - unit(metal)) * scattered[i] * (1 + on) / 2 : 0;
+        result->lane[SLOT_diffuseTransparency][i] =
+            thin ? below * (1 - clear) * (1 - unit(metal)) * scattered[i] * (1 + on) / 2 : 0;
         result->lane[SLOT_transparency][i] = 1 - opacity * (1 - through);
         most = fmax(most, through);
     }
@@ -108,7 +117,8 @@ static void let_through(Environment *environment, const Node *material, SlotValu
 
 static void set_film(Environment *environment, const Node *material, SlotValues *result)
 {
-    const double there = unit(ask_red(environment, material, P_Principled_film)), ior = film_ior(ask_red(environment, material, P_Principled_filmIor));
+    const double there = unit(ask_red(environment, material, P_Principled_film)),
+                 ior = film_ior(ask_red(environment, material, P_Principled_filmIor));
     const double path = 2 * ask_red(environment, material, P_Principled_filmThickness) * ior;
     if (!(there > 0))
         return;
@@ -117,16 +127,15 @@ static void set_film(Environment *environment, const Node *material, SlotValues 
     result->lane[SLOT_filmPath][0] = fmin(fmax(path, 0), slot_table[SLOT_filmPath].high);
 }
 
-/* The coat's own normal, unless it is that of `input`: of the same map, or both are the surface's. */
-static void set_coat_normal(Environment *environment, const Node *material, SlotValues *result)
+/* The coat's own normal, where there is a coat; nothing where it is that of what lies below. */
+static void set_coat_normal(Environment *environment, const Node *material, int param, SlotValues *result)
 {
     double normal[3], *lane = result->lane[SLOT_coatNormal];
-    const Value *own = node_param(material, P_Principled_coatNormal), *input = node_param(material, P_Principled_input);
-    const Node *maps[2] = {own->kind == VALUE_node ? own->node : NULL, input->kind == VALUE_node ? input->node : NULL};
-    if (maps[0] == maps[1] || !(result->lane[SLOT_coat][0] > 0))
+    memset(lane, 0, sizeof result->lane[SLOT_coatNormal]);
+    if (graph_coat_follows(environment->oracle->graph, material))
         return;
     for (int i = 0; i < 3; i++)
-        normal[i] = oracle_ask_param(environment, material, P_Principled_coatNormal, channel_id(GROUP_N, i));
+        normal[i] = oracle_ask_param(environment, material, param, channel_id(GROUP_N, i));
     oracle_call(environment, FN_safeNormalize, normal, lane);
     for (int i = 0; i < 3 && !environment->surface->front; i++)
         lane[i] = -lane[i];
@@ -136,14 +145,16 @@ static void set_coat_normal(Environment *environment, const Node *material, Slot
 static double of_both_sides(Environment *environment, const Node *material, double once)
 {
     const double clear = unit(ask_red(environment, material, P_Principled_transmission));
-    return oracle_number(material, P_Principled_thinWalled) == 0 ? once : once + clear * (2 * once / fmax(1 + once, LEAST) - once);
+    return oracle_number(material, P_Principled_thinWalled) == 0
+               ? once
+               : once + clear * (2 * once / fmax(1 + once, LEAST) - once);
 }
 
 /* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the weight of that as a factor on its colour. */
 void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
 {
-    static const int coat_params[] = {P_Principled_coat, P_Principled_coatColor, P_Principled_coatRoughness, P_Principled_coatIor,
-                                      P_Principled_coatDarkening, P_Principled_coatRoughening};
+    static const int coat_params[] = {P_Principled_coat,    P_Principled_coatColor,     P_Principled_coatRoughness,
+                                      P_Principled_coatIor, P_Principled_coatDarkening, P_Principled_coatRoughening};
     double normal[3], colour[3];
     for (int i = 0; i < 3; i++)
         normal[i] = oracle_ask_param(environment, material, P_Principled_input, channel_id(GROUP_N, i));
@@ -154,7 +165,8 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     const double ior = fmax(ask_red(environment, material, P_Principled_ior), 0);
     oracle_ask_colour(environment, material, P_Principled_baseColor, colour);
     for (int i = 0; i < 3; i++)
-        result->lane[SLOT_diffuse][i] = colour[i] * ask_red(environment, material, P_Principled_baseWeight) * (1 - metal + metal * weight);
+        result->lane[SLOT_diffuse][i] =
+            colour[i] * ask_red(environment, material, P_Principled_baseWeight) * (1 - metal + metal * weight);
     oracle_ask_colour(environment, material, P_Principled_emissionColor, colour);
     for (int i = 0; i < 3; i++)
         result->lane[SLOT_emissive][i] = opacity * colour[i] * ask_red(environment, material, P_Principled_emission);
@@ -172,7 +184,8 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     set_film(environment, material, result);
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, ior, weight, result);
-    set_coat_normal(environment, material, result);
+    if (coat.weight > 0)
+        set_coat_normal(environment, material, P_Principled_coatNormal, result);
     result->lane[SLOT_reflectance][0] = of_both_sides(environment, material, result->lane[SLOT_reflectance][0]);
     const double fuzz = ask_red(environment, material, P_Principled_fuzz);
     if (!(fuzz > 0))
@@ -184,8 +197,8 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
 
 void oracle_Layer(Environment *environment, const Node *material, SlotValues *result)
 {
-    static const int coat_params[] = {P_Layer_coat, P_Layer_coatColor, P_Layer_coatRoughness, P_Layer_coatIor, P_Layer_coatDarkening,
-                                      P_Layer_coatRoughening};
+    static const int coat_params[] = {P_Layer_coat,    P_Layer_coatColor,     P_Layer_coatRoughness,
+                                      P_Layer_coatIor, P_Layer_coatDarkening, P_Layer_coatRoughening};
     oracle_spend(environment, ANSWER_WORK);
     if (oracle_spent(environment->oracle))
         return;
@@ -193,8 +206,8 @@ void oracle_Layer(Environment *environment, const Node *material, SlotValues *re
     const double root = sqrt(unit(result->lane[SLOT_reflectance][0]));
     const OracleCoat coat = coat_of(environment, material, coat_params);
     lay(&coat, (1 + root) / fmax(1 - root, LEAST), 1, result);
-    for (int i = 0; i < 3 && coat.weight > 0; i++) /* that of the base's coat */
-        result->lane[SLOT_coatNormal][i] = 0;
+    if (coat.weight > 0)
+        set_coat_normal(environment, material, P_Layer_coatNormal, result);
 }
 
 bool oracle_is_principled(const Environment *environment, const Node *material)
@@ -208,8 +221,8 @@ void oracle_as_principled(SlotValues *side)
 {
     const double *specular = side->lane[SLOT_specular], share = 2 / (side->lane[SLOT_shininess][0] + 2);
     const double most = fmax(fmax(specular[0], fmax(specular[1], specular[2])), 0);
-    static const Slot lost[] = {SLOT_shininess, SLOT_transparencyShininess, SLOT_interpolatedTransparency, SLOT_diffuseTransparency,
-                                SLOT_ambient};
+    static const Slot lost[] = {SLOT_shininess, SLOT_transparencyShininess, SLOT_interpolatedTransparency,
+                                SLOT_diffuseTransparency, SLOT_ambient};
     for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
         for (int lane = 0; lane < type_table[slot_table[lost[i]].type].lanes; lane++)
             side->lane[lost[i]][lane] = slot_table[lost[i]].absent;
