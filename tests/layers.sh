@@ -36,7 +36,7 @@ done | grep -v ' compiler/matc\.h$' >"$work/includes"
 
 # -- Calls: an edge from the object that wants a symbol to the one that defines it
 
-find "$build" -name '*.c.o' | grep -E '\.dir/(compiler|runtime|grammar)/' | grep -v '/grammar/gen/' |
+find "$build" -path '*/mutants' -prune -o -name '*.c.o' -print | grep -E '\.dir/(compiler|runtime|grammar)/' | grep -v '/grammar/gen/' |
     while read -r object; do source=${object#*.dir/} && [ ! -f "${source%.o}" ] || echo "$object"; done | xargs nm -A |
     awk '{ sub(/\.o:/, ".o ") } { f = $1; sub(/.*\.dir\//, "", f); sub(/\.o$/, "", f) }
         NF == 4 && $3 ~ /[TDRBC]/ { print "def", $4, f } NF == 3 && $2 == "U" { print "use", $3, f }' | sort -u >"$work/symbols"

@@ -56,16 +56,35 @@ bool value_is_zero(const Value *value)
     return value->kind == VALUE_number || value->kind == VALUE_none;
 }
 
-/* The parts of a Principled that are not known to be nothing; light that is scattered below the surface goes through thin walls alone. */
-static unsigned lobes_of(const Node *principled)
+/* A parameter's map; NULL: it has none. */
+static const Node *map_of(const Node *material, int param)
 {
-    const bool thin = !value_is_zero(node_param(principled, P_Principled_thinWalled));
+    const Value *value = node_param(material, param);
+    return value->kind == VALUE_node ? value->node : NULL;
+}
+
+bool graph_coat_follows(const Graph *graph, const Node *coated)
+{
+    if (coated->kind == KIND_Principled)
+        return map_of(coated, P_Principled_coatNormal) == map_of(coated, P_Principled_input);
+    const Node *base = map_of(coated, P_Layer_base), *map = map_of(coated, P_Layer_coatNormal);
+    if (!base || !(graph->models[base->index] & MODEL_RELIEF))
+        return !map;
+    return (base->kind == KIND_Phong && map_of(base, P_Phong_input) == map) ||
+           (base->kind == KIND_Principled && map_of(base, P_Principled_input) == map);
+}
+
+/* The parts of a Principled that are not known to be nothing; light that is scattered below the surface goes through thin walls alone. */
+static unsigned lobes_of(const Graph *graph, const Node *principled)
+{
+    const bool thin = !value_is_zero(node_param(principled, P_Principled_thinWalled)),
+               coated = !value_is_zero(node_param(principled, P_Principled_coat));
     unsigned lobes = 0;
-    for (int lobe = 0; lobe < LOBE_COUNT; lobe++)
-        lobes |=
-            (lobe == LOBE_diffuseTransparency && !thin) || value_is_zero(node_param(principled, lobe_table[lobe].param))
-                ? 0
-                : MODEL_LOBE(lobe);
+    for (int lobe = 0; lobe < LOBE_COUNT; lobe++) {
+        const bool there = lobe == LOBE_coatNormal ? coated && !graph_coat_follows(graph, principled)
+                                                   : !value_is_zero(node_param(principled, lobe_table[lobe].param));
+        lobes |= there && (thin || lobe != LOBE_diffuseTransparency) ? MODEL_LOBE(lobe) : 0;
+    }
     return lobes;
 }
 
@@ -82,20 +101,7 @@ static unsigned phong_emits(const Node *material)
     return value_is_zero(node_param(material, P_Phong_emissive)) ? 0 : MODEL_EMITS;
 }
 
-static unsigned relief_of(const Value *input) { return input->kind == VALUE_node ? MODEL_RELIEF : 0; }
-
-bool graph_coat_follows(const Graph *graph, const Node *coated)
-{
-    const bool layer = coated->kind == KIND_Layer;
-    const Value *own = layer ? node_param(coated, P_Layer_coatNormal) : node_param(coated, P_Principled_coatNormal);
-    const Value *under = layer ? node_param(coated, P_Layer_base) : NULL;
-    const Node *map = own->kind == VALUE_node ? own->node : NULL, *base = !layer ? coated : under->kind == VALUE_node ? under->node : NULL;
-    if (!base || !(graph->models[base->index] & MODEL_RELIEF))
-        return !map;
-    if (base->kind != KIND_Principled && base->kind != KIND_Phong)
-        return false;
-    return (base->kind == KIND_Phong ? node_param(base, P_Phong_input) : node_param(base, P_Principled_input))->node == map;
-}
+static unsigned relief_of(const Node *map) { return map ? MODEL_RELIEF : 0; }
 
 /* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of an AlgorithmSwitch only the first is shown, and
  * a missing front of a SideSwitch is grey. */
@@ -104,11 +110,13 @@ static unsigned models_of(const Graph *graph, const Node *node)
     const KindRow *row = &kind_table[node->kind];
     unsigned models = 0;
     if (node->kind == KIND_Principled)
-        return 1u << MODEL_Principled | lobes_of(node) | principled_emits(node) | relief_of(node_param(node, P_Principled_input));
+        return 1u << MODEL_Principled | lobes_of(graph, node) | principled_emits(node) |
+               relief_of(map_of(node, P_Principled_input));
     if (node->kind == KIND_Phong)
-        return 1u << MODEL_Phong | phong_emits(node) | relief_of(node_param(node, P_Phong_input));
+        return 1u << MODEL_Phong | phong_emits(node) | relief_of(map_of(node, P_Phong_input));
     if (node->kind == KIND_Layer)
-        models |= 1u << MODEL_Principled | MODEL_LOBE(LOBE_coat);
+        models |= 1u << MODEL_Principled | MODEL_LOBE(LOBE_coat) |
+                  (graph_coat_follows(graph, node) ? 0 : MODEL_LOBE(LOBE_coatNormal));
     for (int i = 0; i < row->count && !(models && node->kind == KIND_AlgorithmSwitch); i++)
         if (param_table[row->first + i].type == PARAM_Material)
             models |= node->params[i].kind == VALUE_node ? graph->models[node->params[i].node->index] : 0;

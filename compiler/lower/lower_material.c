@@ -2,6 +2,7 @@
 #include "compiler/lower/answer.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
+#include "grammar/lobe_table.h"
 #include "runtime/library/sky.h"
 
 /* The surface where there is no material: GroIMP's grey. */
@@ -307,6 +308,8 @@ static Ref coat_normal_of(Lower *l, const Node *material, const Env *mesh, bool 
 {
     Ir *ir = l->ir;
     const double least = 1e-15;
+    if (!material || !(l->graph->models[material->index] & MODEL_LOBE(LOBE_coatNormal)))
+        return build_all(ir, TYPE_vec3, 0);
     const Env env = shape_env(l, material, mesh);
     Ref value = lower_value_slot(l, material, lower_is_principled(l, material), SLOT_coatNormal, &env);
     if (ir_is_number(ir, value, 0))

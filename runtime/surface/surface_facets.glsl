@@ -2,7 +2,7 @@
 // polynomials; test_principled.c and test_principled_lobes.c hold them against the integrals.
 #if defined(SURFACE_HAS_coat) && !defined(SURFACE_LACKS_coat)
 #define LIT_COAT
-#ifdef SURFACE_HAS_coatNormal
+#if defined(SURFACE_HAS_coatNormal) && !defined(SURFACE_LACKS_coatNormal)
 #define LIT_COAT_NORMAL
 #endif
 #endif
