@@ -140,7 +140,7 @@ static void a_mesh_has_the_files_materials(void **state)
     }
     assert_int_equal(scene->meshes[scene->objects[3].mesh].shape.index_count, 9);
     assert_int_equal(scene->objects[7].material, scene->objects[0].material);
-    assert_int_equal(scene_models(scene) & ~MODEL_EMITS, (1u << MODEL_Phong) | 1u << MODEL_Principled);
+    assert_int_equal(scene_models(scene) & ~(MODEL_EMITS | MODEL_RELIEF), (1u << MODEL_Phong) | 1u << MODEL_Principled);
     forget(scene, document);
     assert_fault("objects:\n- { object: Mesh, file: nothing.gltf }\n", NULL);
     snprintf(text, sizeof text, "objects:\n- { object: Mesh, file: %s/broken.gltf }\n", folder);
