@@ -12,13 +12,8 @@
 
 enum { SIDE = 128, PIXELS = SIDE * SIDE, MATERIALS = 4 };
 static const char *const materials[MATERIALS][2] = {
-    {"plastic", "baseColor: '= [u, v, .5 * u * v]', roughness: '= .1 + .9 * u', ior: '= 1.3 + .4 * v'"},
-    {"metal", "baseColor: '= [.9, .4 + .5 * u, .9 * v]', metalness: '= v', roughness: '= .1 + .9 * u', specularColor: "
-              "'= [1, v, u]'"},
-    {"painted", "baseColor: '= [u, v, .02]', roughness: '= .3 + .7 * u', coat: '= v', coatRoughness: '= .1 + .6 * u', "
-                "coatColor: '= [1, .5 + .5 * v, 1 - .9 * u]'"},
-    {"cloth", "baseColor: '= [u, .1, v]', roughness: '= .5 + .5 * v', fuzz: '= u', fuzzColor: '= [v, u, 1]', "
-              "fuzzRoughness: '= .2 + .8 * v'"},
+#define SURFACE(name, parameters) {#name, parameters},
+#include "tests/bench/surfaces.def"
 };
 
 /* What a slot may be off by its bits in the case that a material takes, and in `integer`, which it is held against: half a step; of a root at most a step and the

@@ -64,12 +64,11 @@ static double compile_once(const char *text, size_t size, const MatcOptions *opt
     return ok ? seconds : -1;
 }
 
-/* NAN for no runs. */
-static double compile_least(const char *text, size_t size, MatcOptions options, int runs)
+double bench_compile_least(const char *text, size_t size, const MatcOptions *options, int runs)
 {
     double least = NAN;
     for (int i = 0; i < runs; i++) {
-        double once = compile_once(text, size, &options);
+        double once = compile_once(text, size, options);
         if (once < 0)
             exit(1);
         least = fmin(least, once);
@@ -136,8 +135,9 @@ static void print_formula(bool timed)
     char with[1024];
     static const char without[] = "material: Phong\ndiffuse: 0.5\n";
     const size_t size = (size_t)snprintf(with, sizeof with, "material: Phong\ndiffuse: \"= %s\"\n", largest_formula());
-    const double own = compile_least(with, size, options_for(false), timed ? RUNS : 0),
-                 plain = compile_least(without, sizeof without - 1, options_for(false), timed ? RUNS : 0);
+    const MatcOptions options = options_for(false);
+    const double own = bench_compile_least(with, size, &options, timed ? RUNS : 0),
+                 plain = bench_compile_least(without, sizeof without - 1, &options, timed ? RUNS : 0);
     printf("\na formula of 36 operations takes %s microseconds more than a number\n", NUMBER(1, (own - plain) * 1e6));
 }
 
@@ -170,7 +170,7 @@ static void print_ladder(bool timed)
         char *text = ladder_document(nodes, &size);
         MatcOptions options = options_for(false), plain = options;
         plain.aa = "none";
-        double seconds = compile_least(text, size, options, runs), once = compile_least(text, size, plain, runs);
+        double seconds = bench_compile_least(text, size, &options, runs), once = bench_compile_least(text, size, &plain, runs);
         MatcDocument *document = matc_read("bench.yaml", text, size, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         size_t bytes;
@@ -278,9 +278,10 @@ int bench_compile(int argc, char **argv)
     const size_t size = sizeof peers_document - 1;
     bool timed = !bench_untimed(argc, argv);
     arena_keep_pages(); /* as matc does */
+    const MatcOptions plain = options_for(false), checked = options_for(true);
     bench_show("one document");
-    double bare = compile_least(peers_document, size, options_for(false), timed ? RUNS : 0);
-    double full = compile_least(peers_document, size, options_for(true), timed ? RUNS / 5 : 0);
+    double bare = bench_compile_least(peers_document, size, &plain, timed ? RUNS : 0);
+    double full = bench_compile_least(peers_document, size, &checked, timed ? RUNS / 5 : 0);
     bench_show("");
     printf("checker mixed with four octaves of noise (%zu bytes of YAML)\n", size);
     printf("  without validation %s ms; with validation %s ms; glslang's share %s %%\n\n", NUMBER(4, bare * 1e3),

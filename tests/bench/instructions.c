@@ -86,15 +86,14 @@ static char *read_text(const char *name, const char *suffix, char *path, size_t 
     return text;
 }
 
-/* -1: it does not compile. */
-static int count_document(const char *path, const char *text, size_t size)
+int bench_count(const char *path, const char *text, size_t size, const char *layout)
 {
     size_t spirv_size = 0;
     MatcOptions options;
     matc_options_init(&options);
     options.target = "spirv";
-    options.layout = "thesis"; /* as the programs by hand have it */
-    options.aa = "none";       /* likewise */
+    options.layout = layout;
+    options.aa = "none"; /* as the programs by hand have it */
     MatcDocument *document = matc_read(path, text, size, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_SPIRV, &options);
     const char *spirv = matc_output(program, MATC_SPIRV, &spirv_size);
@@ -127,7 +126,7 @@ static int ours(const char *name)
     char path[LONGEST_PATH];
     size_t size = 0;
     char *text = read_text(name, ".yaml", path, &size);
-    const int count = count_document(path, text ? text : "", size);
+    const int count = bench_count(path, text ? text : "", size, "thesis"); /* likewise */
     free(text);
     return count;
 }
@@ -155,7 +154,7 @@ static int formula_ours(const Formula *formula)
 {
     char text[LARGEST_FORMULA];
     const int size = snprintf(text, sizeof text, "material: Phong\ndiffuse: \"= %s\"\n", formula->formula);
-    return count_document(formula->name, text, (size_t)size);
+    return bench_count(formula->name, text, (size_t)size, "thesis");
 }
 
 /* The row's GLSL stands where the frame has its mark. */

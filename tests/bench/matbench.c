@@ -48,6 +48,7 @@ static const struct {
     {"compile", bench_compile, "time of every stage, a ladder of sizes, a process, glslang's share", false},
     {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it", false},
     {"layout", bench_layout, "time to pack and unpack by every encoding, beside its error", false},
+    {"surfaces", bench_surfaces, "the most common Principled materials in 16 bytes a pixel: what each slot is off, and what packing takes", false},
     {"error", bench_error, "run time against error of every variant; --quick: coarse, in half a minute", true},
     {"batch", bench_batch, "many materials in one process, beside glslang's time; what a scene's materials share",
      true},

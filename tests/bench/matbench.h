@@ -1,6 +1,7 @@
 /* What the benchmarks share: time, medians, tables. */
 #ifndef MATBENCH_H
 #define MATBENCH_H
+#include "compiler/matc.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -21,6 +22,11 @@ bool bench_untimed(int argc, char **argv);
 
 /* Says on a terminal what is measured now; "" takes it away, before a line is printed. Nothing where standard error is none. */
 void bench_show(const char *what);
+
+/* Seconds of the processor that a compilation of a document's first material takes, the least of so many runs; NAN for none. */
+double bench_compile_least(const char *text, size_t size, const MatcOptions *options, int runs);
+/* Instructions of its program for a layout, --aa=none, behind spirv-opt -O. -1: it does not compile, or spirv-opt is not there. */
+int bench_count(const char *path, const char *text, size_t size, const char *layout);
 
 /* One subcommand each; the exit status. */
 /* --untimed, the program matc. */
@@ -53,6 +59,8 @@ int bench_cells(int argc, char **argv);
 int bench_indirect(int argc, char **argv);
 /* Displaced triangles: --untimed --gl=KIND --map=FILE --triangles=N, names of tables. */
 int bench_displacement(int argc, char **argv);
+/* Principled materials in 16 bytes a pixel: --untimed. 1: a slot is off by more than is promised. */
+int bench_surfaces(int argc, char **argv);
 int bench_stress(int argc, char **argv);
 /* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
 int bench_guards(int argc, char **argv);
