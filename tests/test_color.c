@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/document.h"
+#include "compiler/front/graph.h"
 #include "compiler/matc.h"
 #include "runtime/gl/png_write.h"
 #include "runtime/library/srgb.h"
@@ -220,6 +222,81 @@ static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
     }
 }
 
+/* Whether the publisher of a surface model calls its parameter a colour; Phong's are those of GroIMP, which has no numbers but exponents. */
+static bool is_a_colour(Kind material, const char *param)
+{
+    static const char *const others[] = {"emissiveFactor", "emissiveTexture", "transmissionScatter",
+                                         "transmission_scatter"};
+    static const char *const phongs[] = {"diffuse", "specular", "transparency", "diffuseTransparency",
+                                         "ambient", "emissive"};
+    bool colour = strstr(param, "olor") != NULL && strcmp(param, "coat_affect_color"); /* how much the coat does */
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        colour |= !strcmp(param, others[i]);
+    for (size_t i = 0; material == KIND_Phong && i < sizeof phongs / sizeof *phongs; i++)
+        colour |= !strcmp(param, phongs[i]);
+    return colour;
+}
+
+/* Pictures below a node that are decoded as sRGB, and those that are not. */
+static void count_pictures(const Node *node, int counts[2])
+{
+    if (node && node->kind == KIND_ImageMap)
+        counts[node_param(node, P_ImageMap_colorspace)->number[0] == WORD_ColorSpace_srgb]++;
+    for (int i = 0; node && i < kind_table[node->kind].count; i++) {
+        const Value *value = &node->params[i];
+        if (value->kind == VALUE_node)
+            count_pictures(value->node, counts);
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            count_pictures(value->items->item[k].input, counts);
+    }
+}
+
+/* glTF's and UsdPreview's occlusion (3), StandardSurface's transmission_extra_roughness and coat_rotation: nothing reads them. */
+enum { UNREAD = 5 };
+
+static void pictures_of_param(const ParamRow *param, int counts[2])
+{
+    char text[512], factor[64];
+    MatcOptions options;
+    matc_options_init(&options);
+    options.read_file = read_palette;
+    snprintf(text, sizeof text, "colors: srgb\nmaterial: %s\n%s: " P "\n", kind_table[param->kind].name, param->name);
+    for (int i = 0; i < kind_table[param->kind].count; i++) { /* 0 times a texture is no texture */
+        const ParamRow *other = &param_table[kind_table[param->kind].first + i];
+        snprintf(factor, sizeof factor, "%.*s", (int)(strlen(param->name) - strlen("Texture")), param->name);
+        if (other != param && strstr(param->name, "Texture") && !strncmp(other->name, factor, strlen(factor)) &&
+            strstr(other->name, "Factor"))
+            snprintf(text + strlen(text), sizeof text - strlen(text), "%s: 1\n", other->name);
+    }
+    MatcDocument *document = matc_read("color.yaml", text, strlen(text), &options);
+    if (!document->graph)
+        fail_msg("%s%s", text, matc_diagnostics(document, MATC_TEXT));
+    count_pictures(document->graph->materials[0].node, counts);
+    matc_document_free(document);
+}
+
+/* Every parameter of every surface model, also of those that become a Principled by formulas in which colours and numbers meet. */
+static void colours_alone_have_srgb_pictures(void **state)
+{
+    (void)state;
+    int faults = 0, unread = 0;
+    for (int i = 0; i < PARAM_COUNT; i++) {
+        const ParamRow *param = &param_table[i];
+        int counts[2] = {0};
+        if (kind_table[param->kind].lowering != LOWERING_MATERIAL || param->type != PARAM_Map)
+            continue;
+        pictures_of_param(param, counts);
+        const bool colour = is_a_colour(param->kind, param->name);
+        unread += !counts[0] && !counts[1];
+        if (counts[!colour]) {
+            print_error("%s.%s: %d linear, %d sRGB\n", kind_table[param->kind].name, param->name, counts[0], counts[1]);
+            faults++;
+        }
+    }
+    assert_int_equal(faults, 0);
+    assert_int_equal(unread, UNREAD);
+}
+
 /* What a program's texture is, per target: the sampler decodes where it can, else the texels are decoded, to 16 bits. */
 static void targets_have_their_textures(void **state)
 {
@@ -291,6 +368,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_function_is_the_standards), cmocka_unit_test(every_file_says_what_its_colours_are),
         cmocka_unit_test(alpha_is_not_converted),        cmocka_unit_test(a_picture_is_srgb_where_it_feeds_a_colour),
+        cmocka_unit_test(colours_alone_have_srgb_pictures),
         cmocka_unit_test(targets_have_their_textures),   cmocka_unit_test(pictures_of_16_bits_keep_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

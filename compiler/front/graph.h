@@ -96,6 +96,7 @@ typedef struct {
     const Node *input; /* NULL reads the surface */
     Span span;
     int8_t width; /* lanes in which a formula reads the input; 0: the input's own */
+    bool numbers; /* of a material of another model: its parameter is no colour, whatever the formula makes of it */
 } Item;
 typedef struct Items {
     int count;

@@ -52,7 +52,7 @@ static void reach_inputs(Reach *all, const Node *node)
         if (value->kind == VALUE_node)
             reach(all, value->node);
         for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
-            reach(all, value->items->item[k].input);
+            reach(all, value->items->item[k].numbers ? NULL : value->items->item[k].input);
     }
 }
 

@@ -80,6 +80,7 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
     item.input = param < 0 ? number_node(s, word) : node_of(s, &s->params[param]);
     if (param >= 0) {
         item.width = param_table[kind_table[s->kind].first + param].lanes > 1 ? 4 : 1;
+        item.numbers = !param_is_colored(kind_table[s->kind].first + param);
         if (!s->given && s->params[param].given)
             s->given = &s->params[param];
     }
