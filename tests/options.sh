@@ -82,5 +82,35 @@ check "finds its own" test "$valid" -gt 0
 check "and the first again" status 0 $fast -d "$work/batch" --cache "$work/cache" $example
 check "its own" test "$(hits)" -gt "$valid"
 
+# -- what would have no effect, and what could not be read or written, is said, by its name
+
+for useless in "-MF $work/x.d" "-MT x" "--cache $work/useless" "--cache-limit=4"; do
+    check "$useless alone is wrong usage" status 2 $fast $useless $example -o "$work/x.frag"
+    check "and says what it is for" says "^matc: ${useless%%[ =]*} "
+done
+check "MATC_CACHE may stand there always" status 0 env MATC_CACHE="$work/useless" $fast $example -o "$work/x.frag"
+check "a list that is not there" status 2 $fast -d "$work/batch" @"$work/nope.txt"
+check "is named" says "^matc: @$work/nope.txt: "
+printf '# materials\n%s\n#examples/none.yaml\n' $example >"$work/list.txt"
+check "comments in a list are none of its documents" status 0 $fast -d "$work/listed" @"$work/list.txt"
+check "a batch of standard input" status 0 sh -c "$fast -d '$work/in' - <$example"
+check "names its file so that a shell takes it" only "$work/in" manifest.json stdin.frag
+mkdir "$work/taken" "$work/taken/manifest.json"
+check "a file that cannot be written" status 1 $fast -d "$work/taken" $example
+check "is named with its folder" says "^matc: error: $work/taken/manifest.json: "
+if [ -c /dev/full ]; then
+    check "standard output that is full" status 1 sh -c "$fast $example >/dev/full"
+    check "is said once" test "$(cat "$work/stderr")" = "matc: error: standard output: No space left on device"
+fi
+printf 'defs: { a: { map: Cheker } }\nobjects: []\n' >"$work/scene.yaml"
+check "a scene with a fault" status 1 $fast "$work/scene.yaml"
+check "is not called definitions" test "$(grep -c -e note: "$work/stderr")" = 0
+printf 'lights: [{ light: Point }]\nobjects: []\n' >"$work/scene.yaml"
+check "a scene without one" status 1 $fast "$work/scene.yaml"
+check "is called a scene" says 'note: this is a scene, which matview draws'
+printf 'include: none.yaml\nmaterial: Phong\ndiffuse: { ref: a }\nspecular: { ref: b }\n' >"$work/lacks.yaml"
+check "what a file that is not there would define" status 1 $fast "$work/lacks.yaml"
+check "is not asked for again" test "$(grep -c error: "$work/stderr")" = 1
+
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -15,6 +15,10 @@ same() { cmp -s "$work/$1.png" "$work/$2.png"; }
 # -- what each option does
 
 check "a picture" status 0 $draw $example -o "$work/plain.png"
+check "--layout=auto is wrong usage" status 2 $draw --layout=auto $example -o "$work/none.png"
+check "which says whose it is" says '^matview: --layout=auto is made of a set of materials, by matc -d'
+check "of standard input" status 0 sh -c "cd '$work' && $draw -" <$example
+check "a picture has a name that a shell takes" test -s "$work/stdin.png"
 for option in --shape=cloth --shape=ground --camera=front --camera=left --camera=top --camera=low --camera=close --camera=3,-4,1 \
     --slot=diffuse --slot=normal; do
     check "$option" status 0 $draw $option $example -o "$work/other.png"

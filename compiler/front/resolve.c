@@ -215,7 +215,7 @@ static const Member *find_def(Resolver *r, const Tree *name)
         if (!*near)
             near = diag_suggest(r->session, name->text, def_name, &names, (int)r->defs[i]->count);
     }
-    return diag_add(r->session, name->span, DIAG_unknown_ref, name->text, near);
+    return r->lacks_file ? NULL : diag_add(r->session, name->span, DIAG_unknown_ref, name->text, near);
 }
 
 static const Node *resolve_use(Resolver *r, Tree *use, const Member *def, bool material)

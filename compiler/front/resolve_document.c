@@ -19,9 +19,11 @@ bool resolve_is_name(const char *name)
     return true;
 }
 
-/* "dir/rock.yaml" -> "rock" */
+/* "dir/rock.yaml" -> "rock"; what is no file, "<stdin>" -> "stdin" */
 static const char *stem(Session *session, const char *path)
 {
+    if (path[0] == '<' && path[strlen(path) - 1] == '>')
+        return arena_string(session->arena, path + 1, strlen(path) - 2);
     const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');
     return arena_string(session->arena, start, dot && dot != start ? (size_t)(dot - start) : strlen(start));
 }
@@ -56,14 +58,16 @@ static bool read_defs(Resolver *r, Tree *document, int depth)
         name_defs(defs->value);
         ARENA_PUSH(r->session->arena, r->defs, r->def_count, r->def_room, defs->value);
     }
-    if (include && tree_is_null(include->value))
+    if (!include || tree_is_null(include->value))
         return fine;
-    if (include && include->value->kind == TREE_list)
+    bool read = true;
+    if (include->value->kind == TREE_list)
         for (uint32_t i = 0; i < include->value->count; i++)
-            fine &= read_include(r, include->value->items[i], depth);
-    else if (include)
-        fine &= read_include(r, include->value, depth);
-    return fine;
+            read &= read_include(r, include->value->items[i], depth);
+    else
+        read = read_include(r, include->value, depth);
+    r->lacks_file |= !read;
+    return fine && read;
 }
 
 /* materials: { name: material, ... } */
@@ -177,6 +181,13 @@ static void *say_no_material(Session *session, const Tree *document)
     return diag_add(session, document->span, DIAG_no_material);
 }
 
+static void say_nothing_to_compile(Session *session, const Tree *document)
+{
+    diag_add(session, document->span, DIAG_definitions_only,
+             resolve_is_scene(document) ? "this is a scene, which matview draws"
+                                        : "there are definitions only, for `include:`");
+}
+
 static bool resolve_one(Resolver *r, Tree *document, NamedMaterial *material)
 {
     bool fault = false;
@@ -210,9 +221,9 @@ Graph *resolve(Session *session, Tree *document)
         fine &= resolve_list(&r, many->value, materials);
     else if (one)
         fine &= resolve_one(&r, document, materials);
-    else
-        diag_add(session, document->span, DIAG_definitions_only);
     check_defs(&r, document);
+    if (!many && !one && fine && !session->diags.errors)
+        say_nothing_to_compile(session, document);
     resolve_picture_spaces(&r, materials, graph->material_count);
     graph->defs = r.defs;
     graph->def_count = (int)r.def_count;

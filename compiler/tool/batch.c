@@ -176,7 +176,7 @@ static void write_manifest(Batch *b)
     manifest_put(b, &json);
     const char *why = staging_put_index(b->staging, manifest_name, json.at, json.size);
     if (why)
-        batch_complain(b, NULL, manifest_name, why);
+        batch_complain_within(b, NULL, b->line->folder, manifest_name, why);
     bytes_free(&json);
 }
 
@@ -197,8 +197,10 @@ static void write_depfile(Batch *b)
     const char *bad, *made = b->line->target ? b->line->target : target;
     char *text = depfile_text(made, (const char *const *)files.at, files.count, &bad);
     const char *why = text ? put_depfile(b, text) : depfile_why;
-    if (why)
-        batch_complain(b, NULL, !text ? bad : b->line->depfile ? b->line->depfile : depfile_name, why);
+    if (why && text && !b->line->depfile)
+        batch_complain_within(b, NULL, b->line->folder, depfile_name, why);
+    else if (why)
+        batch_complain(b, NULL, text ? b->line->depfile : bad, why);
     free(text);
     string_set_free(&files);
 }
@@ -209,7 +211,7 @@ static void commit(Batch *b)
     const char *why = NULL;
     char *old = staging_holds(b->staging, manifest_name) ? staging_read(b->staging, manifest_name, &why) : NULL;
     if (why)
-        batch_complain(b, NULL, manifest_name, why);
+        batch_complain_within(b, NULL, b->line->folder, manifest_name, why);
     if (old) /* else this manifest is that one, or the first */
         manifest_remove_stale(b, old);
     free(old);

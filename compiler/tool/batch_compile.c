@@ -53,7 +53,7 @@ static void write_textures(Batch *b, BatchDocument *document, const char *base, 
         const char *why = staging_put(b->textures, name, bytes, size);
         free(bytes);
         if (why)
-            batch_complain(b, document, name, why);
+            batch_complain_within(b, document, b->line->textures, name, why);
     }
 }
 

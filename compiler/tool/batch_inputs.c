@@ -59,5 +59,5 @@ void batch_spare_inputs(Batch *b)
     string_set_free(&files);
     for (int i = 0; i < b->within.count; i++)
         if (staging_holds(b->staging, b->within.at[i]))
-            batch_complain(b, NULL, b->within.at[i], "an output would replace this file, which is read");
+            batch_complain_within(b, NULL, b->line->folder, b->within.at[i], "an output would replace this file, which is read");
 }

@@ -1,6 +1,7 @@
 /* What a batch says: each document's diagnostics in the order of the documents, whichever thread found them. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/diag.h"
+#include <stdio.h>
 #include <string.h>
 
 /* Diagnostics up to the first document that is not done. The mutex is held. */
@@ -59,6 +60,14 @@ void batch_complain(Batch *b, BatchDocument *document, const char *what, const c
 {
     say_of_file(b, document, SEVERITY_error, what, why);
     batch_fault(b);
+}
+
+void batch_complain_within(Batch *b, BatchDocument *document, const char *folder, const char *name, const char *why)
+{
+    const char *slash = *folder && folder[strlen(folder) - 1] == '/' ? "" : "/";
+    char path[LONGEST_PATH];
+    snprintf(path, sizeof path, "%s%s%s", folder, slash, name);
+    batch_complain(b, document, path, why);
 }
 
 void batch_warn(Batch *b, const char *what, const char *why) { say_of_file(b, NULL, SEVERITY_warning, what, why); }

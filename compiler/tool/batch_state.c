@@ -23,7 +23,7 @@ void batch_put_file(Batch *b, BatchDocument *document, BatchFile file, const cha
     snprintf(name, sizeof name, "%s%s", file.base, file.suffix);
     const char *why = staging_put(b->staging, name, bytes, size);
     if (why)
-        batch_complain(b, document, name, why);
+        batch_complain_within(b, document, b->line->folder, name, why);
 }
 
 void batch_phase(Batch *b, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int))

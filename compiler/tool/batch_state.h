@@ -99,6 +99,8 @@ void batch_say_of(Batch *batch, BatchDocument *document, int material, const cha
 void batch_fault(Batch *batch);
 /* Something against the document, which is a fault. */
 void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
+/* The same of a file of that folder, where the message says it is. */
+void batch_complain_within(Batch *batch, BatchDocument *document, const char *folder, const char *name, const char *why);
 /* Something to know, of no document, which is no fault. */
 void batch_warn(Batch *batch, const char *what, const char *why);
 /* Says the diagnostics up to the first document that is not done. The mutex is held. */

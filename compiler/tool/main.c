@@ -213,6 +213,7 @@ static bool read_command_line(CommandLine *line, int argc, char **argv, const ch
     bool fine = options_read(line, argc, argv, fault);
     line->compile.pixels = line->eval || line->textures || line->pareto || line->max_error;
     line->compile.measure = line->stats;
+    line->cache_named = line->cache != NULL;
     if (!line->cache && getenv("MATC_CACHE") && *getenv("MATC_CACHE"))
         line->cache = getenv("MATC_CACHE");
     return fine;
@@ -233,13 +234,14 @@ static void run_and_tell(CommandLine *line, Watch *watch)
     int status = run(line, &result);
     const long took = lround((session_now() - start) * 1e3);
     watch_set(watch, (const char *const *)files.at, files.count);
+    const char *s = files.count == 1 ? "" : "s";
     if (status != FINE)
-        fprintf(stderr, "matc: nothing written; watching %d files\n", files.count);
+        fprintf(stderr, "matc: nothing written; watching %d file%s\n", files.count, s);
     else if (line->folder)
-        fprintf(stderr, "matc: %d files written for %d materials in %ld ms; watching %d files\n", result.written,
-                result.materials, took, files.count);
+        fprintf(stderr, "matc: %d files written for %d materials in %ld ms; watching %d file%s\n", result.written,
+                result.materials, took, files.count, s);
     else
-        fprintf(stderr, "matc: %s in %ld ms; watching %d files\n", line->output, took, files.count);
+        fprintf(stderr, "matc: %s in %ld ms; watching %d file%s\n", line->output, took, files.count, s);
     watch_list_free(&files);
 }
 
@@ -300,7 +302,7 @@ int main(int argc, char **argv)
     else if ((status = check_usage(&line)) == FINE)
         status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
     options_free(&line);
-    if (fflush(stdout) || ferror(stdout))
-        status |= main_complain(&line, "standard output", text_error(errno));
+    if ((fflush(stdout) || ferror(stdout)) && status == FINE) /* else it may be what was said */
+        status = main_complain(&line, "standard output", text_error(errno));
     return status < BY_SIGNAL && status & USAGE ? USAGE : status;
 }

@@ -202,7 +202,7 @@ void manifest_remove_stale(Batch *b, const char *old)
         bool stays;
         const char *why = staging_remove(b->staging, name, key_read(hash), &stays);
         if (why)
-            batch_complain(b, NULL, name, why);
+            batch_complain_within(b, NULL, b->line->folder, name, why);
         else if (stays)
             batch_warn(b, name, "it is no longer made, but it is not as matc wrote it, so it stays");
     }

@@ -43,6 +43,7 @@ typedef struct {
     char **list_texts;  /* what the inputs out of lists lie in */
     int list_count;
     const char *cache;               /* --cache, or MATC_CACHE */
+    bool cache_named;                /* by --cache */
     const char *cache_size;          /* --cache-limit, as text */
     long cache_limit;                /* in MiB; 0: the default */
     bool cache_stats;                /* --cache-stats */

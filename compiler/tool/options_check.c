@@ -60,6 +60,20 @@ static const char *check_output(const CommandLine *line)
     return NULL;
 }
 
+/* What has no effect alone. */
+static const char *check_companions(const CommandLine *line)
+{
+    if (line->depfile && !line->depend)
+        return "-MF names the depfile that -MD writes: give -MD, too";
+    if (line->target && !line->depend)
+        return "-MT names the target in the depfile that -MD writes: give -MD, too";
+    if (line->cache_named && !line->folder)
+        return "--cache is read and filled by -d alone: give -d, or leave it out";
+    if (line->cache_size && !line->cache)
+        return "--cache-limit bounds the folder of --cache: give --cache, too";
+    return NULL;
+}
+
 /* The options of every pass name what exists. */
 static const char *check_names(CommandLine *line)
 {
@@ -90,5 +104,7 @@ const char *options_check(CommandLine *line)
         fault = "no document";
     if (!fault)
         fault = check_measuring(line);
-    return fault ? fault : check_output(line);
+    if (!fault)
+        fault = check_output(line);
+    return fault ? fault : check_companions(line);
 }

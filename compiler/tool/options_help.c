@@ -13,7 +13,7 @@ static const char before_target[] =
     "  -d DIR               write NAME.frag and so on there, for all materials of all documents, each program once,\n"
     "                       and manifest.json, which says what uses which; several passes may be named\n"
     "  -j N                 by so many threads; all processors without it\n"
-    "  @FILE                documents named in a file, one a line\n"
+    "  @FILE                documents named in a file, one a line; a line that begins with # is none\n"
     "  --cache DIR          with -d: keep there what the next run can use; MATC_CACHE says the same\n"
     "  --cache-limit=MIB    of the folder: 1024; the least recently used goes first\n"
     "  --cache-stats        what the cache holds and how often it helped\n"

@@ -1,6 +1,7 @@
 /* The documents that a command line names. */
 #include "compiler/tool/options_input.h"
 #include "compiler/base/file.h"
+#include "compiler/base/text.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,9 +19,14 @@ void options_add_input(CommandLine *line, const char *path)
 bool options_read_list(CommandLine *line, const char *path, const char **fault)
 {
     size_t size;
-    char *text = file_read_named(path, &size, fault);
-    if (!text)
+    const char *why;
+    char *text = file_read_named(path, &size, &why);
+    if (!text) {
+        Text out = text_new(&line->words);
+        text_format(&out, "@%s: %s", path, why);
+        *fault = out.at;
         return false;
+    }
     line->lists = realloc(line->lists, sizeof *line->lists * (size_t)(line->list_count + 1));
     line->list_texts = realloc(line->list_texts, sizeof *line->list_texts * (size_t)(line->list_count + 1));
     if (!line->lists || !line->list_texts)
@@ -31,7 +37,7 @@ bool options_read_list(CommandLine *line, const char *path, const char **fault)
         size_t length = strcspn(at, "\r\n");
         end = at + length + (at[length] != 0);
         at[length] = 0;
-        if (length)
+        if (length && *at != '#')
             options_add_input(line, at);
     }
     return true;

@@ -96,6 +96,8 @@ const char *single_write(const CommandLine *line, MatcDocument *document, MatcPr
         why = put_output(&files, line, document, program, path);
     if (!why)
         why = outputs_commit(&files);
+    if (why && !strcmp(path, "-"))
+        snprintf(path, SINGLE_PATH, "standard output");
     outputs_close(&files);
     free(depfile);
     return why;

@@ -312,6 +312,9 @@ static const char *check_format(const Command *command)
 /* "--aa: there is no 'x', but auto, none, ..." */
 static const char *check_choices(Command *command)
 {
+    if (command->compile.layout && !strcmp(command->compile.layout, "auto"))
+        return "--layout=auto is made of a set of materials, by matc -d; a picture is drawn by one of the layouts that "
+               "matc --list=layouts shows";
     Arena arena = {0};
     const char *fault = choice_fault(&arena, &command->compile);
     if (fault)

@@ -357,10 +357,10 @@ static int run_watching(Command *command, GlContext *gl)
     do {
         WatchList files = {0};
         command->watched = &files;
-        int status = run_inputs(command, gl);
+        const char *done = run_inputs(command, gl) == FINE ? "drawn" : "not drawn";
         fflush(stdout);
         watch_set(watch, (const char *const *)files.at, files.count);
-        fprintf(stderr, "matview: %s; watching %d files\n", status == FINE ? "drawn" : "not drawn", files.count);
+        fprintf(stderr, "matview: %s; watching %d file%s\n", done, files.count, files.count == 1 ? "" : "s");
         watch_list_free(&files);
     } while (!(signal = watch_next(watch)));
     watch_close(watch);

@@ -5,6 +5,8 @@
 
 void picture_name_of(const char *input, const char *material, char name[PICTURE_NAME_ROOM])
 {
+    if (!strcmp(input, "-"))
+        input = "stdin";
     const char *slash = strrchr(input, '/'), *stem = slash ? slash + 1 : input, *dot = strrchr(stem, '.');
     int size = dot && dot != stem ? (int)(dot - stem) : (int)strlen(stem);
     snprintf(name, PICTURE_NAME_ROOM, "%.*s%s%s", size, stem, material ? "." : "", material ? material : "");
