@@ -16,8 +16,8 @@ layout(std140) uniform Edge {
 const int LINES = 1024; // in a row of their texture
 
 // Depth grows towards the eye: what is nearer than the line on both sides hides it. Beside a crease that is turned away both sides may be a
-// little nearer.
-const float NEARER = 1.01, FURTHER = 0.9;
+// little nearer; less, where they would be as far on.
+const float NEARER = 1.01, AS_NEAR = 1.001, FURTHER = 0.9;
 
 // So near to a centre, in pixels, a line is on either side of it: some times the 1/256 of rasterisers.
 const float CENTRE = 0.02;
@@ -44,12 +44,22 @@ bool isSeen(ivec2 pixel)
     return all(greaterThanEqual(pixel, first)) && all(lessThanEqual(pixel, last));
 }
 
-// Whether of two pixels one shows what the line is an edge of, or both do, of a crease, and nothing before it hides it on both sides.
-bool isEdge(ivec2 pixel, ivec2 beyond, float depth, bool crease)
+// What a pixel shows, as far away as it is at the line, `way` pixels on: by the plane through this pixel and the one behind it, along which depths are linear. Where that rises towards the line, the pixel's own.
+float depthToward(ivec2 pixel, ivec2 behind, float way)
 {
-    float here = depthAt(pixel), there = depthAt(beyond);
-    return isSeen(beyond) && min(here, there) <= depth * NEARER &&
-           (crease ? min(here, there) : max(here, there)) >= depth * FURTHER;
+    float here = depthAt(pixel);
+    return isSeen(behind) ? min(here, here + (here - depthAt(behind)) * way) : here;
+}
+
+// Whether of two pixels one shows what the line is an edge of, or both do, of a crease, and nothing before it hides it on both sides: the surfaces
+// that both show would be nearer where it is. Of pixels aside neither may be, since what is beyond them may have an edge of its own. `line`: as in mark().
+bool isEdge(ivec2 pixel, ivec2 beyond, ivec2 toward, vec4 line)
+{
+    float here = depthAt(pixel), there = depthAt(beyond), away = abs(line.x);
+    float a = depthToward(pixel, pixel - toward, away), b = depthToward(beyond, beyond + toward, 1.0 - away);
+    return isSeen(beyond) && min(here, there) <= line.z * NEARER && min(a, b) <= line.z * AS_NEAR &&
+           (beyond == pixel + toward || max(a, b) <= line.z * NEARER) &&
+           (line.w > 0.0 ? min(here, there) : max(here, there)) >= line.z * FURTHER;
 }
 
 // `line`: how far it is above the centre, its slope, its depth there, whether it is a crease. At a corner only a pixel that is next to the neighbour may be beyond it.
@@ -58,7 +68,7 @@ void mark(ivec2 pixel, vec4 line, bool steep, bool within)
     ivec2 up = steep ? ivec2(1, 0) : ivec2(0, 1);
     int side = sideOf(pixel, line.x, up);
     uint aside = 1u;
-    for (uint i = 0u; i < 3u && !isEdge(pixel, pixel + side * up + (int(aside) - 1) * up.yx, line.z, line.w > 0.0); i++)
+    for (uint i = 0u; i < 3u && !isEdge(pixel, pixel + side * up + (int(aside) - 1) * up.yx, side * up, line); i++)
         aside = i == 0u ? 0u : i == 1u ? 2u : 3u;
     if (!isSeen(pixel) || aside > 2u) return;
     uint near = uint(1023.0 * (1.0 - min(abs(line.x), 1.0)) + 0.5);

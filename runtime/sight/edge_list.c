@@ -126,22 +126,42 @@ static void eye_of(const EdgeLister *l, const SceneMatrix *m, double eye[3])
     }
 }
 
-static bool is_outline(const EdgeLister *l, const MeshEdge *edge, const double eye[3])
+/* Of a solid all outlines that are concave are hidden from outside: the face that is turned away lies before the other, and something of the solid before that. */
+static bool is_concave(const MeshEdge *edge, int front)
+{
+    double before = 0;
+    for (int i = 0; i < 3; i++)
+        before += (double)edge->normals[front][i] * ((double)edge->apexes[!front][i] - (double)edge->ends[0][i]);
+    return before > 0;
+}
+
+/* Of a solid that the eye is outside of, or whose box it is outside of, at least. */
+static bool sees_fronts(const EdgeLister *l, const EdgeMesh *mesh, const double eye[3])
+{
+    bool outside = is_orthographic(l);
+    for (int i = 0; i < 3; i++)
+        outside |= eye[i] < mesh->low[i] || eye[i] > mesh->high[i];
+    return mesh->solid && outside;
+}
+
+/* `fronts`: of what is turned away nothing is seen. */
+static bool is_outline(const EdgeLister *l, const MeshEdge *edge, const double eye[3], bool fronts)
 {
     double facing[2] = {0};
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++)
             facing[k] += edge->normals[k][i] * (eye[i] - (is_orthographic(l) ? 0 : edge->ends[0][i]));
-    return (facing[0] > 0) != (facing[1] > 0);
+    return (facing[0] > 0) != (facing[1] > 0) && !(fronts && is_concave(edge, facing[1] > 0));
 }
 
 static void add_solid(EdgeLister *l, const SceneObject *object, const EdgeMesh *mesh)
 {
     double eye[3], world[3], ends[2][3];
     eye_of(l, &object->world_from_local, eye);
+    const bool fronts = sees_fronts(l, mesh, eye);
     for (int i = 0; i < mesh->count && l->fine; i++) {
         const MeshEdge *edge = &mesh->edges[i];
-        const bool outline = edge->open || is_outline(l, edge, eye);
+        const bool outline = edge->open || is_outline(l, edge, eye, fronts);
         if (!outline && !edge->crease)
             continue;
         l->crease = !outline;

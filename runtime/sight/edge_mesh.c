@@ -143,6 +143,27 @@ static void add_sides(EdgeMaker *m)
     }
 }
 
+/* The box, and by six times the volume, summed of what each triangle has with the origin, whether fronts are outside. */
+static void set_extent(EdgeMaker *m)
+{
+    EdgeMesh *made = m->made;
+    double volume = 0;
+    for (int i = 0; i < 3; i++)
+        made->low[i] = INFINITY, made->high[i] = -INFINITY;
+    for (int i = 0; i < 3 * m->shape->vertex_count; i++) {
+        made->low[i % 3] = fmin(made->low[i % 3], (double)position(m, i / 3)[i % 3]);
+        made->high[i % 3] = fmax(made->high[i % 3], (double)position(m, i / 3)[i % 3]);
+    }
+    for (int i = 0; i + 2 < m->shape->index_count; i += 3) {
+        const float *a = position(m, (int)m->shape->indices[i]), *b = position(m, (int)m->shape->indices[i + 1]),
+                    *c = position(m, (int)m->shape->indices[i + 2]);
+        for (int k = 0; k < 3; k++)
+            volume += (double)a[k] * ((double)b[(k + 1) % 3] * (double)c[(k + 2) % 3] -
+                                      (double)b[(k + 2) % 3] * (double)c[(k + 1) % 3]);
+    }
+    made->solid = volume > 0 && shape_body(m->shape) != SHAPE_BODY_none;
+}
+
 bool edge_mesh_make(const Shape *shape, EdgeMesh *made)
 {
     const size_t vertices = (size_t)shape->vertex_count + 1, sides = (size_t)shape->index_count + 1;
@@ -156,6 +177,7 @@ bool edge_mesh_make(const Shape *shape, EdgeMesh *made)
     if (done) {
         find_places(&m);
         add_sides(&m);
+        set_extent(&m);
     } else
         edge_mesh_free(made);
     hash_index_free(&m.positions);

@@ -15,6 +15,8 @@ typedef struct {
 typedef struct {
     MeshEdge *edges;
     int count;
+    bool solid;             /* it is closed, and its faces show their fronts outwards */
+    double low[3], high[3]; /* the box around it */
 } EdgeMesh;
 
 /* False: out of memory; *made is empty then. */
