@@ -139,9 +139,47 @@ static void copies_bring_surfaces(void **state)
     forget(scene, document);
 }
 
+/* A cube of edge 2 that is pushed by the square root of 3 is the ball through its corners, of which each copy stands upright; with a bulge of 3/4 the middles of its
+ * faces are at 1.5, and those of its edges, at (5/4, 0, 5/4), farthest. The height that displaces it is next to nothing. */
+static void copies_stand_on_what_is_rounded(void **state)
+{
+    (void)state;
+    static const char form[] = "displacement: { method: grid, %s }\nmaterials: { hard: { material: Phong, "
+                               "displacementBound: 1, displacement: '= 1e-9 * x' }, "
+                               "red: { material: Phong } }\nobjects: [{ object: Group, transform: { scale: 2, "
+                               "rotation: [0.4, 0.3, 1] }, objects: [{ "
+                               "object: Scatter, on: { object: Box, size: [2, 2, 2], material: hard }, count: 3000, "
+                               "objects: [{ object: Box, material: red }] }] }]\n";
+    static const char *const ways[] = {"push: 1.7320508", "bulge: 0.75"};
+    for (int way = 0; way < 2; way++) {
+        char text[1000];
+        MatcDocument *document;
+        double worst = 0, lean = 0, farthest = 0, least = 9;
+        snprintf(text, sizeof text, form, ways[way]);
+        Scene *scene = read_fine(text, &document);
+        for (int i = 0; i < COPIES; i++) {
+            const double *m = scene->objects[i].world_from_local.m;
+            double out[3] = {m[12] / 2, m[13] / 2, m[14] / 2}, up[3] = {m[8], m[9], m[10]};
+            const double r = sqrt(dot(out, out));
+            unit(out);
+            unit(up);
+            worst = fmax(worst, fabs(r - sqrt(3)));
+            lean = fmax(lean, 1 - dot(out, up));
+            farthest = fmax(farthest, r);
+            least = fmin(least, r);
+        }
+        print_message("%s: copies are %.1e off the ball, at %.3f to %.3f; cosines %.1e below 1\n", ways[way], worst,
+                      least, farthest, lean);
+        assert_true(way ? least > 1.49 && least < 1.51 && farthest < 1.25 * sqrt(2) + 1e-6 && farthest > 1.75
+                        : worst < 1e-6 && lean < 1e-6);
+        forget(scene, document);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(copies_stand_on_what_is_displaced),
-                                       cmocka_unit_test(upright_and_flat), cmocka_unit_test(copies_bring_surfaces)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(copies_stand_on_what_is_displaced), cmocka_unit_test(upright_and_flat),
+        cmocka_unit_test(copies_stand_on_what_is_rounded), cmocka_unit_test(copies_bring_surfaces)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,6 +38,7 @@ typedef struct {
     SceneSurface surface;
     SceneMatrix group_from_world;
     bool *moves;  /* by material aside */
+    bool *rounds; /* likewise: push and bulge count */
     size_t later; /* stand that may be within a copy */
 } Standing;
 
@@ -101,6 +102,7 @@ typedef struct {
     size_t copy;
     int material;
     MatcPoint around[SCENE_SURFACE_AROUND];
+    double rounded[SCENE_SURFACE_AROUND][3]; /* what push and bulge add, in the world */
 } Moving;
 
 static bool moves(const Standing *s, const SceneStood *copy, Moving *made)
@@ -112,8 +114,13 @@ static bool moves(const Standing *s, const SceneStood *copy, Moving *made)
     made->material = object->material;
     if (!s->moves[object->material] || !scene_matrix_invert(&m, &inverse))
         return false;
-    for (int i = 0; i < SCENE_SURFACE_AROUND; i++)
+    double by[SCENE_SURFACE_AROUND][3] = {{0}};
+    if (s->rounds[object->material])
+        scene_surface_rounded(&s->surface, copy->numbers, &s->r->scene->dividing, by);
+    for (int i = 0; i < SCENE_SURFACE_AROUND; i++) {
         made->around[i] = scene_displaced_point(&around[i], &m, &inverse);
+        apply(&m, by[i], 0, made->rounded[i]);
+    }
     return true;
 }
 
@@ -126,8 +133,12 @@ static bool move_run(Standing *s, Moving *at, int count)
         memcpy(points + i * SCENE_SURFACE_AROUND, at[i].around, sizeof at[i].around);
     const bool fine =
         points && matc_move(material->document, material->index, s->options, points, count * SCENE_SURFACE_AROUND);
-    for (int i = 0; fine && i < count; i++)
+    for (int i = 0; fine && i < count; i++) {
         memcpy(at[i].around, points + i * SCENE_SURFACE_AROUND, sizeof at[i].around);
+        for (int k = 0; k < SCENE_SURFACE_AROUND; k++)
+            for (int lane = 0; lane < 3; lane++)
+                at[i].around[k].position[lane] += at[i].rounded[k][lane];
+    }
     free(points);
     return fine;
 }
@@ -171,24 +182,44 @@ static bool stands_on_moving(const Standing *s)
     return false;
 }
 
-static bool stand(SceneReader *r, const MatcOptions *options, size_t number, bool *moved)
+/* What of materials aside moves, and what of it is rounded: no volume is, nor where nothing says so. */
+typedef struct {
+    bool *moves, *rounds, any;
+} Displaced;
+
+static bool stand(SceneReader *r, const MatcOptions *options, size_t number, const Displaced *how)
 {
     SceneStand *own = &r->stands[number];
-    Standing s = {.r = r, .options = options, .stand = own, .moves = moved, .later = number + 1};
+    Standing s = {
+        .r = r, .options = options, .stand = own, .moves = how->moves, .rounds = how->rounds, .later = number + 1};
     if (!stands_on_moving(&s) || !scene_matrix_invert(&own->world_from_group, &s.group_from_world))
         return true;
-    const bool fine = scene_surface_make(r->scene, own->objects, own->object_count, &s.surface) && move_all(&s);
+    const bool fine = scene_surface_make(r->scene, own->objects, own->object_count, &s.surface) &&
+                      (!how->any || scene_surface_join(&s.surface)) && move_all(&s);
     scene_surface_free(&s.surface);
     return fine;
 }
 
+static Displaced find_displaced(SceneReader *r, const MatcOptions *options)
+{
+    Displaced how = {.moves = ARENA_ARRAY(r->session->arena, bool, r->aside_count + 1),
+                     .rounds = ARENA_ARRAY(r->session->arena, bool, r->aside_count + 1)};
+    const bool rounded = r->scene->dividing.push != 0 || r->scene->dividing.bulge != 0;
+    for (size_t i = 1; i < r->aside_count && r->stand_count; i++) {
+        const SceneMaterial *material = &r->asides[i];
+        how.moves[i] = matc_moves(material->document, material->index, options) != MATC_MOVES_none;
+        how.rounds[i] = rounded && how.moves[i] && !matc_has_volume(material->document, material->index);
+        how.any |= how.rounds[i];
+    }
+    return how;
+}
+
 bool scene_stand(SceneReader *r, const MatcOptions *options)
 {
-    bool fine = true, *moved = ARENA_ARRAY(r->session->arena, bool, r->aside_count + 1);
-    for (size_t i = 1; i < r->aside_count && r->stand_count; i++)
-        moved[i] = matc_moves(r->asides[i].document, r->asides[i].index, options) != MATC_MOVES_none;
+    const Displaced how = find_displaced(r, options);
+    bool fine = true;
     for (size_t i = 0; i < r->stand_count && fine; i++)
-        fine = stand(r, options, i, moved);
+        fine = stand(r, options, i, &how);
     if (!fine)
         diag_add(r->session, NO_SPAN, DIAG_scene_scatter,
                  "what displaces the surface takes too many operations, or more memory than there is");

@@ -3,6 +3,7 @@
  *
  *     a unit square of two triangles, sums 0.5 and 1; numbers 0.75, 0.25, 0.5: the second one, s = 0.5, t = 0.5 */
 #include "runtime/scene/scene_surface.h"
+#include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>
@@ -90,9 +91,12 @@ bool scene_surface_make(const Scene *scene, const SceneObject *objects, int coun
 
 void scene_surface_free(SceneSurface *surface)
 {
-    for (int i = 0; i < surface->patch_count; i++)
+    for (int i = 0; i < surface->patch_count; i++) {
         if (surface->patches[i].made)
             shape_free(&surface->patches[i].shape);
+        free(surface->patches[i].joined);
+        free(surface->patches[i].place);
+    }
     free(surface->patches);
     free(surface->sums);
     *surface = (SceneSurface){0};
@@ -171,17 +175,84 @@ static ShapeVertex mix(const SceneSurfacePart *patch, int triangle, const double
     return mixed;
 }
 
-int scene_surface_around(const SceneSurface *surface, const double numbers[3], ShapeVertex around[SCENE_SURFACE_AROUND])
+static void share_around(const double numbers[3], double shares[SCENE_SURFACE_AROUND][3])
 {
     static const double steps[SCENE_SURFACE_AROUND][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     const double part = 1.0 / 1024; /* of an edge */
-    const int triangle = pick(surface, numbers[0]);
-    const SceneSurfacePart *patch = patch_of(surface, triangle);
-    double shares[3];
-    share(numbers, shares);
+    double middle[3];
+    share(numbers, middle);
     for (int i = 0; i < SCENE_SURFACE_AROUND; i++) {
         const double u = part * steps[i][0], v = part * steps[i][1];
-        around[i] = mix(patch, triangle, (double[]){shares[0] - u - v, shares[1] + u, shares[2] + v});
+        shares[i][0] = middle[0] - u - v, shares[i][1] = middle[1] + u, shares[i][2] = middle[2] + v;
     }
+}
+
+int scene_surface_around(const SceneSurface *surface, const double numbers[3], ShapeVertex around[SCENE_SURFACE_AROUND])
+{
+    const int triangle = pick(surface, numbers[0]);
+    const SceneSurfacePart *patch = patch_of(surface, triangle);
+    double shares[SCENE_SURFACE_AROUND][3];
+    share_around(numbers, shares);
+    for (int i = 0; i < SCENE_SURFACE_AROUND; i++)
+        around[i] = mix(patch, triangle, shares[i]);
     return patch->object;
+}
+
+bool scene_surface_join(SceneSurface *surface)
+{
+    bool fine = true;
+    for (int i = 0; i < surface->patch_count && fine; i++) {
+        SceneSurfacePart *patch = &surface->patches[i];
+        if (patch->joined)
+            continue;
+        patch->place = scene_places(&patch->shape);
+        patch->joined = calloc((size_t)patch->shape.vertex_count + 1, sizeof *patch->joined);
+        fine = patch->place && patch->joined;
+        if (fine)
+            scene_places_join(&patch->shape, patch->place, patch->joined);
+    }
+    return fine;
+}
+
+/* Of a corner: the unit sum of all normals in its place, and where it is. */
+static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, double normal[3], double at[3])
+{
+    const ShapeVertex *v = &patch->joined[patch->place[patch->shape.indices[3 * (triangle - patch->first) + k]]];
+    for (int i = 0; i < 3; i++) {
+        normal[i] = (double)v->normal[i];
+        at[i] = (double)v->position[i];
+    }
+    scene_vector_normalize(normal);
+}
+
+/* With n the mean of the corners' normals: push (1 - |n|) along it, and bulge times the way to where the planes through the corners have the point. */
+static void rounded(double normals[3][3], double at[3][3], const double shares[3], const SceneDividing *by,
+                    double to[3])
+{
+    double mean[3] = {0}, toward[3] = {0};
+    for (int k = 0; k < 3; k++) {
+        double away = 0; /* of the corner's plane from the point, along its normal */
+        for (int i = 0; i < 3; i++)
+            away += normals[k][i] * (at[k][i] - shares[0] * at[0][i] - shares[1] * at[1][i] - shares[2] * at[2][i]);
+        for (int i = 0; i < 3; i++) {
+            mean[i] += shares[k] * normals[k][i];
+            toward[i] += shares[k] * away * normals[k][i];
+        }
+    }
+    const double size = fmax(sqrt(scene_vector_dot(mean, mean)), 1e-30);
+    for (int i = 0; i < 3; i++)
+        to[i] = by->push * (1 - size) * mean[i] / size + by->bulge * toward[i];
+}
+
+void scene_surface_rounded(const SceneSurface *surface, const double numbers[3], const SceneDividing *by,
+                           double to[SCENE_SURFACE_AROUND][3])
+{
+    const int triangle = pick(surface, numbers[0]);
+    const SceneSurfacePart *patch = patch_of(surface, triangle);
+    double shares[SCENE_SURFACE_AROUND][3], normals[3][3], at[3][3];
+    share_around(numbers, shares);
+    for (int k = 0; k < 3; k++)
+        joined_corner(patch, triangle, k, normals[k], at[k]);
+    for (int i = 0; i < SCENE_SURFACE_AROUND; i++)
+        rounded(normals, at, shares[i], by, to[i]);
 }

@@ -11,6 +11,8 @@ typedef struct {
     int first;   /* of its triangles, among all */
     int object;  /* that it is of, among those that the surface was made of */
     SceneMatrix matrix;
+    ShapeVertex *joined; /* by the first vertex of a place: with the sum of all normals there; NULL before scene_surface_join() */
+    int *place;          /* by vertex: that one */
 } SceneSurfacePart;
 
 typedef struct {
@@ -30,4 +32,9 @@ void scene_surface_point(const SceneSurface *surface, const double numbers[3], d
  * surface. */
 enum { SCENE_SURFACE_AROUND = 5 };
 int scene_surface_around(const SceneSurface *surface, const double numbers[3], ShapeVertex around[SCENE_SURFACE_AROUND]);
+/* Finds what rounds hard bodies. False: memory ran out. */
+bool scene_surface_join(SceneSurface *surface);
+/* How far each of these points goes by `push` and `bulge`, as displace_point.glsl rounds a hard body, in its object's space. After scene_surface_join(). */
+void scene_surface_rounded(const SceneSurface *surface, const double numbers[3], const SceneDividing *by,
+                           double to[SCENE_SURFACE_AROUND][3]);
 #endif
