@@ -141,8 +141,30 @@ static void slots_are_openpbrs(void **state)
                 (double[]){.6, 0, .8});
 }
 
+/* A value that counts for nothing is not seen, however great it is. */
+static void what_does_not_count_is_not_seen(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *slot;
+        double want[3];
+        int lanes;
+    } rows[] = {
+        {"material: Principled\nroughness: 1e20\ncoat: 1\n", "roughness", {1}, 1},
+        {"material: Layer\nbase: { material: Principled, roughness: 1e20 }\n", "roughness", {1}, 1},
+        {"material: Principled\nior: 1e20\ncoat: 0\n", "reflectance", {1}, 1},
+        {"material: Principled\nspecular: 1e20\ntransmission: 1\nthinWalled: true\n", "reflectance", {2}, 1},
+        {"material: Principled\nbaseColor: [1e20, 1, 0]\nsubsurface: 1\nsubsurfaceColor: [0.2, 0.4, 0.6]\n", "diffuse", {.2, .4, .6}, 3},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *values = values_at(rows[i].text, "u=0.3 v=0.4", NULL);
+        expect_slot(values, rows[i].slot, rows[i].want, rows[i].lanes);
+        free(values);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(coats_lie_as_they_say), cmocka_unit_test(sends_no_more_than_arrives), cmocka_unit_test(slots_are_openpbrs)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(what_does_not_count_is_not_seen), cmocka_unit_test(coats_lie_as_they_say), cmocka_unit_test(sends_no_more_than_arrives), cmocka_unit_test(slots_are_openpbrs)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,9 @@ static double ask_red(Environment *environment, const Node *material, int param)
 
 static double unit(double x) { return fmin(fmax(x, 0), 1); }
 
+/* From a to b: either itself at its end, however much greater the other is. */
+static double mixed(double a, double b, double t) { return (1 - t) * a + t * b; }
+
 /* Fresnel's formulas along the normal. */
 static double reflectance_of(double ior) { return (ior - 1) / (ior + 1) * ((ior - 1) / (ior + 1)); }
 
@@ -46,8 +49,8 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
     const double back = unit(1 - (1 - own) / fmax(coat->ior * coat->ior, LEAST));
     double *rough = result->lane[SLOT_roughness];
     const double rougher = pow(fmin(pow(fmax(rough[0], 0), 4) + 2 * pow(coat->roughness, 4), 1), .25);
-    rough[0] += unit(w * coat->roughening) * (rougher - rough[0]);
-    result->lane[SLOT_reflectance][0] = specular * reflectance_of((1 - w) * ior + w * high / low);
+    rough[0] = mixed(rough[0], rougher, unit(w * coat->roughening));
+    result->lane[SLOT_reflectance][0] = specular * reflectance_of(mixed(ior, high / low, w));
     for (int i = 0; i < 3; i++) {
         const double tint = 1 - w + w * coat->colour[i], by = unit(w * coat->darkening);
         const double dark = (1 - back) / fmax(1 - unit(result->lane[SLOT_diffuse][i]) * back, LEAST);
@@ -106,7 +109,7 @@ static void let_through(Environment *environment, const Node *material, SlotValu
     for (int i = 0; i < 3; i++) {
         const double back = scattered[i] * (thin ? (1 - on) / 2 : 1), own = base[i] * base_weight;
         const double through = clear * (1 - unit(metal)) * (thin ? unit(tint[i]) : sqrt(unit(tint[i])));
-        result->lane[SLOT_diffuse][i] = (1 - metal) * (1 - clear) * (own + below * (back - own)) + metal * own * weight;
+        result->lane[SLOT_diffuse][i] = (1 - metal) * (1 - clear) * mixed(own, back, below) + metal * own * weight;
         result->lane[SLOT_diffuseTransparency][i] =
             thin ? below * (1 - clear) * (1 - unit(metal)) * scattered[i] * (1 + on) / 2 : 0;
         result->lane[SLOT_transparency][i] = 1 - opacity * (1 - through);
@@ -147,7 +150,7 @@ static double of_both_sides(Environment *environment, const Node *material, doub
     const double clear = unit(ask_red(environment, material, P_Principled_transmission));
     return oracle_number(material, P_Principled_thinWalled) == 0
                ? once
-               : once + clear * (2 * once / fmax(1 + once, LEAST) - once);
+               : mixed(once, 2 * once / fmax(1 + once, LEAST), clear);
 }
 
 /* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the weight of that as a factor on its colour. */
