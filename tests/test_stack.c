@@ -177,11 +177,72 @@ static void intervals_of_arms(void **state)
         }
 }
 
+/* A formula is no nesting, however long it is or however many brackets are in one another: a flat sum, a product, conditions, choices, functions. */
+static void long_formulas(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *part, *middle, *close;
+    } rows[] = {
+        {"u*$ + ", "v", ""}, {"fract(u*$) - ", "v", ""}, {"(u + $) * ", "v", ""}, {"(u + $) / ", "2", ""},
+        {"u > .$ && ", "v > .5 ? 1 : 0", ""}, {"u > .$ || ", "v > .5 ? 1 : 0", ""}, {"u > .$ ? v : ", "u", ""},
+        {"(u + $)^", "1.5", ""}, {"-", "u", ""}, {"(", "u", ")"}, {"sin(", "u", ")"}, {"max(v, ", "u", ")"},
+    };
+    static const char *const options[] = {"", "O0", "eval", "derivatives=analytic aa=box", "fit", "ir", "precision=exact"};
+    enum { TERMS = 3000, MOST_TERMS = 100000 };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (size_t o = i % 2; o < sizeof options / sizeof *options; o += 2)
+            for (int bump = 0; bump < 2; bump++) {
+                const char *head = bump ? "material: Phong\ninput: { map: BumpMap, displacement: \"= " : "material: Phong\ndiffuse: \"= ";
+                const GrowthRow row = {"", options[o], 1, false, false, head, rows[i].part, rows[i].middle, rows[i].close, bump ? "\" }\n" : "\"\n"};
+                const int errors = errors_of(&row, TERMS);
+                if (errors)
+                    fail_msg("%s %s: %d errors", rows[i].part, options[o], errors);
+            }
+    static const GrowthRow longest = {"", "", 1, false, false, "material: Phong\ndiffuse: \"= ", "u*$ + ", "v", "", "\"\n"};
+    assert_int_equal(errors_of(&longest, MOST_TERMS), 0);
+}
+
+/* Definitions that name one another: as long a chain as maps may lie over one another, in either order; longer is refused. */
+static void long_chains_of_definitions(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *part, *tail;
+        int most;
+    } rows[] = {
+        {"  d$: '= d@ * .5 + .1'\n", "", LIMIT_GRAPH_DEPTH - 1},
+        {"  d$: { map: Wood, input: { ref: d@ } }\n", "", LIMIT_GRAPH_DEPTH - 2},
+        {"  d$: { ref: d@ }\n", "", LIMIT_REFERENCES - 4},
+        {"  d$: { params: { t: 1 }, map: UVTransform, scaleU: { param: t }, input: { ref: d@, t: { param: t } } }\n", ", t: 2", LIMIT_GRAPH_DEPTH / 2},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (int more = 0; more < 2; more++) {
+            char *text = NULL;
+            size_t size;
+            FILE *out = open_memstream(&text, &size);
+            const int count = more ? LIMIT_REFERENCES + 1 : rows[i].most;
+            fprintf(out, "defs:\n  d0: %s\n", i == 3 ? "{ params: { t: 1 }, map: UVTransform, scaleU: { param: t } }" : "0.5");
+            for (int k = 1; k < count; k++)
+                for (const char *at = rows[i].part; *at; at++)
+                    *at == '$' || *at == '@' ? fprintf(out, "%d", k - (*at == '@')) : fputc(*at, out);
+            fclose(out);
+            char tail[80];
+            snprintf(tail, sizeof tail, "material: Phong\ndiffuse: { ref: d%d%s }\n", count - 1, rows[i].tail);
+            const GrowthRow row = {"", "", 1, false, false, text, "", tail, "", ""};
+            const int errors = errors_of(&row, 1);
+            if ((errors > 0) != more)
+                fail_msg("%s %d: %d errors", rows[i].part, count, errors);
+            free(text);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(maps_over_maps),  cmocka_unit_test(one_more_is_too_deep), cmocka_unit_test(nested_text),
         cmocka_unit_test(nested_branches), cmocka_unit_test(intervals_of_arms),
+        cmocka_unit_test(long_formulas),   cmocka_unit_test(long_chains_of_definitions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,9 +13,10 @@
 /* Every limit of the compiler. */
 enum {
     LIMIT_DOCUMENT_MIB = 64,    /* a source text */
-    LIMIT_DEPTH = 256,          /* nesting of a document, and of references met on the way down */
+    LIMIT_DEPTH = 256,          /* nesting of a document, and of waves */
     LIMIT_GRAPH_DEPTH = 2048,   /* maps below one another, through references too */
-    LIMIT_SHALLOW = 64,         /* of them: those for which the caller's stack is taken; stack.h */
+    LIMIT_REFERENCES = 4096,    /* maps and references that are met on the way down while a document is resolved */
+    LIMIT_SHALLOW = 64,         /* of either: those for which the caller's stack is taken; stack.h */
     LIMIT_LEVEL_KIB = 4,        /* of stack for each of the others, eight times what the deepest chain takes */
     LIMIT_TREE_NODES = 4000000, /* values in a document */
     LIMIT_IR_NODES = 2000000,   /* nodes of a program */
@@ -29,7 +30,7 @@ enum {
     LIMIT_ATTRIBUTES = 5,       /* of the mesh, of a document: so many locations of 16 are free */
     LIMIT_DEFINITION_PARAMS = 64, /* parameters of a definition */
     LIMIT_COPIES = 200000,      /* values that uses of definitions copy, with arguments in their places */
-    LIMIT_FORMULA = 65536,      /* bytes of a formula */
+    LIMIT_FORMULA = 1 << 21,    /* bytes of a formula */
     LIMIT_INCLUDES = 256,       /* files that a document includes, or would */
     LIMIT_TAGS = 64,            /* %TAG lines of a YAML document: libyaml compares each with all before it */
     LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */

@@ -28,7 +28,7 @@ enum { WIDTH_condition = 0, WIDTH_unknown = -1 };
 typedef struct {
     uint8_t kind; /* FormulaKind */
     int8_t width;
-    uint16_t row;
+    int row;
     uint32_t first, count; /* arguments: in Formula.arguments, numbers of steps */
     uint32_t start, end;   /* bytes of the text: the name, the symbol, the number */
     double number;
@@ -41,7 +41,6 @@ typedef struct Formula {
     size_t argument_count, argument_room;
     uint32_t result;
     int width;       /* of the result, 1 to 4 */
-    int depth;       /* most steps over one another */
     int inputs;      /* so many are used: 0 .. inputs - 1 */
     bool jumps;      /* something in it jumps, or is steep without end, and is no constant */
     bool varies;     /* it reads a point or an input */

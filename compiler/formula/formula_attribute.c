@@ -164,7 +164,7 @@ void formula_read_attribute(FormulaReader *r, Token name)
         return;
     }
     formula_push_step(r, (FormulaStep){.kind = FORMULA_attribute,
-                                       .row = (uint16_t)number,
+                                       .row = number,
                                        .width = (int8_t)type_table[made.type].lanes,
                                        .start = name.start,
                                        .end = name.end});

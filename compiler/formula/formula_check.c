@@ -10,8 +10,7 @@ typedef struct {
     const FormulaSource *s;
     Session *session;
     Formula *f;
-    uint32_t *depth; /* by step: steps over one another */
-    bool *varies;    /* by step: it goes by the point or by an input */
+    bool *varies; /* by step: it goes by the point or by an input */
     bool failed;
 } Check;
 
@@ -51,7 +50,7 @@ static int find_attribute(Check *c, FormulaStep *step, const QuantityRow *row)
     if (number < 0)
         return fail(c);
     step->kind = FORMULA_attribute;
-    step->row = (uint16_t)number;
+    step->row = number;
     return type_table[row->type].lanes;
 }
 
@@ -65,7 +64,7 @@ static int find_name(Check *c, FormulaStep *step)
         if (row->attribute)
             return find_attribute(c, step, row);
         step->kind = row->lanes ? FORMULA_value : FORMULA_number;
-        step->row = (uint16_t)quantity;
+        step->row = quantity;
         step->number = row->number;
         c->f->groups |= row->lanes ? 1u << row->group : 0;
         return quantity_width(quantity);
@@ -74,7 +73,7 @@ static int find_name(Check *c, FormulaStep *step)
     const int input = c->s->input(c->s->user, name, step, &width);
     if (input >= 0) {
         step->kind = FORMULA_input;
-        step->row = (uint16_t)input;
+        step->row = input;
         c->f->inputs = input >= c->f->inputs ? input + 1 : c->f->inputs;
         return width;
     }
@@ -254,20 +253,14 @@ static bool jumps(const Formula *f, const FormulaStep *step)
     return !exponent || exponent->kind != FORMULA_number || exponent->number < 1;
 }
 
-/* What goes up with the steps: how many are over one another, whether it varies. */
+/* What goes up with the steps: whether it varies, jumps, reads the mesh. */
 static void measure(Check *c, uint32_t number)
 {
     const FormulaStep *step = &c->f->steps[number];
     c->varies[number] = step->kind == FORMULA_value || step->kind == FORMULA_input || step->kind == FORMULA_attribute;
     c->f->meshed |= step->kind == FORMULA_attribute;
-    for (uint32_t i = 0; i < step->count; i++) {
-        const uint32_t below = formula_argument(c->f, step, i);
-        c->varies[number] |= c->varies[below];
-        if (c->depth[below] >= c->depth[number])
-            c->depth[number] = c->depth[below] + 1;
-    }
-    if ((int)c->depth[number] > c->f->depth)
-        c->f->depth = (int)c->depth[number];
+    for (uint32_t i = 0; i < step->count; i++)
+        c->varies[number] |= c->varies[formula_argument(c->f, step, i)];
     c->f->jumps |= c->varies[number] && jumps(c->f, step);
 }
 
@@ -275,7 +268,6 @@ bool formula_check(const FormulaSource *source, Formula *f)
 {
     const uint32_t count = (uint32_t)f->count;
     Check c = {.s = source, .session = source->session, .f = f};
-    c.depth = ARENA_ARRAY(c.session->arena, uint32_t, count);
     c.varies = ARENA_ARRAY(c.session->arena, bool, count);
     for (uint32_t i = 0; i < count; i++) {
         const int width = width_of(&c, &f->steps[i]);

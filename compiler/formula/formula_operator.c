@@ -34,7 +34,7 @@ static void read_lanes(FormulaReader *r)
         step = (FormulaStep){.kind = FORMULA_fault, .start = start, .end = start + 1};
     }
     for (int i = 0; step.kind == FORMULA_lanes && letters[i]; i++)
-        step.row |= (uint16_t)(lane_of(letters[i]) << 2 * i);
+        step.row |= (lane_of(letters[i]) << 2 * i);
     if (r->token.kind == TOKEN_name)
         formula_next(r);
     formula_apply(r, step, 1);
@@ -55,7 +55,7 @@ static void read_index(FormulaReader *r)
                  arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)), "a value");
         step.kind = FORMULA_fault;
     } else {
-        step.row = (uint16_t)index.number;
+        step.row = index.number;
     }
     if (formula_is(r, "]"))
         formula_next(r);
@@ -91,7 +91,7 @@ static void close_open(FormulaReader *r, bool bracket)
         return;
     }
     r->wait_count--;
-    FormulaStep step = {.row = (uint16_t)wait.row, .start = wait.start, .end = wait.end};
+    FormulaStep step = {.row = wait.row, .start = wait.start, .end = wait.end};
     if (bracket)
         step.end = r->token.end;
     formula_next(r);

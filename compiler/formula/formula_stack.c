@@ -41,7 +41,7 @@ void formula_apply(FormulaReader *r, FormulaStep step, size_t count)
 void formula_reduce(FormulaReader *r)
 {
     const FormulaWait wait = r->waits[--r->wait_count];
-    const FormulaStep step = {.kind = FORMULA_term, .row = (uint16_t)wait.row, .start = wait.start, .end = wait.end};
+    const FormulaStep step = {.kind = FORMULA_term, .row = wait.row, .start = wait.start, .end = wait.end};
     if (wait.kind == WAIT_question) {
         if (r->faults++ < FORMULA_MOST_FAULTS) /* to find a place takes as long as what stands before it */
             diag_add(r->session, formula_span(r, wait.start, wait.end), DIAG_formula_choice, "':'");

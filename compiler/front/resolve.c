@@ -1,5 +1,6 @@
 /* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met twice, by an alias or a
  * reference, becomes one node. The parameters' names, types, defaults and ranges come from the tables. */
+#include "compiler/base/stack.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/resolve_definition.h"
 #include <math.h>
@@ -281,6 +282,29 @@ static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool oute
     return resolve_node(r, tree, material, outermost);
 }
 
+typedef struct {
+    Resolver *r;
+    Tree *tree;
+    bool material, outermost;
+    const Node *node;
+} Resolving;
+
+static void resolve_on_stack(void *user)
+{
+    Resolving *of = user;
+    of->node = resolve_new(of->r, of->tree, of->material, of->outermost);
+}
+
+/* A chain of references may be longer than the caller's stack can hold: some of it at a time is resolved on another. */
+static const Node *resolve_below(Resolver *r, Tree *tree, bool material, bool outermost)
+{
+    Resolving of = {r, tree, material, outermost, NULL};
+    if (r->depth % LIMIT_SHALLOW)
+        return resolve_new(r, tree, material, outermost);
+    stack_run(LIMIT_DEPTH, resolve_on_stack, &of);
+    return of.node;
+}
+
 const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, bool *fault)
 {
     if (tree_is_null(tree))
@@ -291,12 +315,12 @@ const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, 
     const char *owner = r->owner;
     if (own_name(tree))
         r->owner = own_name(tree);
-    if (r->depth >= LIMIT_DEPTH)
-        diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
+    if (r->depth >= LIMIT_REFERENCES)
+        diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_REFERENCES);
     else if (!tree->failed) {
         r->depth++;
         tree->open = true;
-        node = resolve_new(r, tree, material, outermost);
+        node = resolve_below(r, tree, material, outermost);
         tree->open = false;
         r->depth--;
     }

@@ -47,7 +47,7 @@ typedef struct {
     bool overgrown;    /* there are too many of these, and that was said */
     size_t copied;     /* nodes of trees that were made for them */
     const char *owner; /* of the maps that are resolved: Node.owner */
-    int depth;
+    int depth, wave_depth; /* of what is being resolved: maps and references within one another, and waves */
 } Resolver;
 
 /* How many lanes a value may have. */

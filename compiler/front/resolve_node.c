@@ -2,13 +2,6 @@
 #include "compiler/formula/formula.h"
 #include "compiler/front/resolve.h"
 
-/* Steps over one another in an Expression's formula. */
-static int formula_depth(const Node *node)
-{
-    const Value *is = node_param(node, P_Expression_is);
-    return is->kind == VALUE_formula ? is->formula->depth : 0;
-}
-
 /* -- Lanes of maps */
 
 enum { SURFACE_WIDTH = 3 };
@@ -86,7 +79,6 @@ static bool measure(Resolver *r, Node *node)
         for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
             below(node, value->items->item[k].input);
     }
-    node->depth += node->kind == KIND_Expression ? formula_depth(node) : 0;
     node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D || node->kind == KIND_Triplanar;
     node->steps |= kind_table[node->kind].step_lanes > 0;
     if (node->depth > LIMIT_GRAPH_DEPTH)

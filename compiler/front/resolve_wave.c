@@ -89,14 +89,14 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
         return true;
     if (tree->failed)
         return false;
-    if (r->depth >= LIMIT_DEPTH) {
+    if (r->wave_depth >= LIMIT_DEPTH) {
         diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
         return false;
     }
     Wave *wave = ARENA_NEW(r->session->arena, Wave);
-    r->depth++;
+    r->wave_depth++;
     const bool fine = make_wave(r, tree, wave);
-    r->depth--;
+    r->wave_depth--;
     tree->failed = !fine;
     if (!fine)
         return false;
