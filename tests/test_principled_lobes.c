@@ -42,6 +42,10 @@ static const char fits[] =
 static const char lobes[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(mixed(p), toward(cosineOf(p), 0.0)); "
     "return vec4(surfaceLobe(m, toward(0.1 + 0.85 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, 0.91)) * roughOf(p))), 1.0); }\n";
+/* Every third pixel has no layer, a coat alone, fuzz alone; and what the coat's and the fuzz' other numbers are does not matter there. */
+static const char weights[] =
+    "vec4 passPixel(ivec2 p) { Surface s = mixed(p); int kind = (p.x + p.y) % 3; if (kind != 1) { s.coat = 0.0; s.coatTint = vec3(1.0); } if (kind != 2) s.fuzz = 0.0; "
+    "vec3 l = toward(0.1 + 0.85 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, 0.91)) * roughOf(p)); return vec4(surfaceLobe(surfaceLit(s, toward(cosineOf(p), 0.0)), l), 1.0); }\n";
 /* A third of the directions by what of the base's facets the eye sees (Heitz 2018), one by the coat's, one by the cosine. */
 static const char furnace[] =
     LOBE_FACET LOBE_SEEN
@@ -72,12 +76,14 @@ static const char around[] =
     "vec4 passPixel(ivec2 p) { Surface s = mixed(p); s.diffuse = s.coatTint = s.fuzzColor = vec3(1.0);\n"
     "    return vec4(surfaceAmbient(surfaceLit(s, toward(cosineOf(p), 0.0)), vec3(1.0)), 1.0); }\n";
 
-static void run(GlContext *gl, const char *body, float (*said)[4])
+static void run_lacking(GlContext *gl, const char *lacks, const char *body, float (*said)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
-    const ScreenPassText text = {.body = {head, model->text, model->more[0], model->more[1], model->more[2], tools, body}, .format = "RGBA32F"};
+    const ScreenPassText text = {.body = {lacks, head, model->text, model->more[0], model->more[1], model->more[2], tools, body}, .format = "RGBA32F"};
     pass_values(gl, &text, SIDE, said);
 }
+
+static void run(GlContext *gl, const char *body, float (*said)[4]) { run_lacking(gl, "", body, said); }
 
 static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
 static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
@@ -306,6 +312,31 @@ static void white_sends_all(void **state)
     assert_true(fine);
 }
 
+/* A surface without a layer, where others have it, is what it is alone. */
+static void layers_of_no_weight_change_nothing(void **state)
+{
+    (void)state;
+    static const char *const lacks[] = {"#define SURFACE_LACKS_coat\n#define SURFACE_LACKS_fuzz\n", "#define SURFACE_LACKS_fuzz\n", "#define SURFACE_LACKS_coat\n"};
+    static float all[SIDE * SIDE][4], alone[SIDE * SIDE][4];
+    double worst = 0;
+    int seen = 0;
+    GlContext *gl = frame_context();
+    run(gl, weights, all);
+    for (int kind = 0; kind < 3; kind++) {
+        run_lacking(gl, lacks[kind], weights, alone);
+        for (int i = 0; i < 4 * SIDE * SIDE; i++) {
+            const int pixel = i / 4;
+            if ((pixel % SIDE + pixel / SIDE) % 3 != kind || i % 4 == 3)
+                continue;
+            worst = fmax(worst, fabs((double)all[pixel][i % 4] - (double)alone[pixel][i % 4]) / (.25 + fabs((double)alone[pixel][i % 4])));
+            seen += alone[pixel][i % 4] > 1e-3F;
+        }
+    }
+    gl_close(gl);
+    print_message("layers of no weight: %.2g\n", worst);
+    assert_true(worst < 1e-6 && seen > 2 * SIDE * SIDE);
+}
+
 static void light_and_eye_change_places(void **state)
 {
     (void)state;
@@ -321,6 +352,6 @@ static void light_and_eye_change_places(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(fits_are_integrals), cmocka_unit_test(lobes_are_as_defined),
-                                       cmocka_unit_test(white_sends_all), cmocka_unit_test(light_and_eye_change_places)};
+                                       cmocka_unit_test(white_sends_all), cmocka_unit_test(layers_of_no_weight_change_nothing), cmocka_unit_test(light_and_eye_change_places)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,6 +54,7 @@ struct Lit {
     vec3 behind, evenBehind; // what leaves on the other side, of what comes through the surface; that, of light from all around
 #endif
 #ifdef LIT_LAYERS
+    bool layered; // there is a coat or fuzz
     vec3 metalBounce, dielectricBounce; // what the base reflects of light that layers send back to it
     vec2 strayOfEye, strayRatio;        // below(), of metal and of the dielectric; over the mean
     float strayMore;
@@ -116,6 +117,7 @@ void litCoat(Surface s, inout Lit m)
     m.coatMasked = maskedOf(m.coatAlpha, m.coatCosine);
     m.coatOfEye = coatThrough(m, m.coatCosine);
     m.coatMean = 0.0;
+    m.layered = m.coat > 0.0;
     m.coatGloss = m.kept * (1.0 - m.coatOfEye);
     float smoother = 1.0 - m.coatFacets.rough * m.coatFacets.rough, smoother2 = smoother * smoother;
     float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563; // 1 of a smooth coat of index 1.6
@@ -135,6 +137,7 @@ void litFuzz(Surface s, inout Lit m)
     m.fuzzRough = fuzzRoughOf(s);
     m.fuzzOfEye = fuzzThrough(m, m.cosine);
     m.fuzzMean = 0.0;
+    m.layered = m.layered || m.fuzz > 0.0;
     m.fuzzSpread = fuzzSpread(m.facets.rough, m.fuzz / (0.8 + 1.05 * m.fuzzRough));
 }
 #endif
@@ -290,6 +293,9 @@ Lit surfaceLit(Surface s, vec3 toEye)
     m.cosine = clamp(dot(m.normal, toEye), 1e-3, 1.0);
 #ifdef LIGHT_HAS_AREAS
     m.glossInto = areaFacets(m.facets.rough, m.normal, toEye);
+#endif
+#ifdef LIT_LAYERS
+    m.layered = false;
 #endif
 #ifdef LIT_COAT
     litCoat(s, m);

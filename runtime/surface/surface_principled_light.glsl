@@ -62,6 +62,7 @@ vec3 fromBehind(Lit m, vec3 l, float cosine)
 }
 #endif
 
+// What does not depend on l is in m. A lobe of no weight is left out: threads of a GPU do so where all of a group do.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
@@ -70,8 +71,9 @@ vec3 surfaceLobe(Lit m, vec3 l)
 #endif
     if (cosine <= 0.0) return vec3(0.0);
     vec3 between = l + m.toEye;
-    vec3 h = between * inversesqrt(max(dot(between, between), 1e-12));
-    float facing = clamp(dot(h, l), 0.0, 1.0), rest = 1.0 - facing, rest5 = rest * rest * rest * rest * rest;
+    float square = max(dot(between, between), 1e-12), over = inversesqrt(square);
+    vec3 h = between * over;
+    float facing = min(0.5 * square * over, 1.0), rest = 1.0 - facing, rest2 = rest * rest, rest5 = rest2 * rest2 * rest; // l.h is half of its length
 #ifdef LIT_ANISOTROPY
     float once = facetsAlong(m.anisotropy, m.normal, l, h, cosine, vec2(m.cosine, m.masked));
 #else
@@ -81,20 +83,32 @@ vec3 surfaceLobe(Lit m, vec3 l)
     float again = cosine * own.x * m.lossRatio;
     TONE matt = cosine * (1.0 - baseReflected(m, own)) * m.baseRatio;
 #ifdef LIT_LAYERS
-    float ofCoat = coatCosineOf(m, l, cosine);
-    vec4 layers = below(m, cosine, ofCoat, own.x);
-    float even = evenOf(m.facets.rough, cosine);
-    vec2 stray = cosine * strayed(m, layers.w, own) * m.strayRatio;
+    vec3 above = vec3(0.0);
+    vec2 stray = vec2(0.0);
+    if (m.layered) {
+        float ofCoat = coatCosineOf(m, l, cosine), even = evenOf(m.facets.rough, cosine);
+        vec4 layers = below(m, cosine, ofCoat, own.x);
+        stray = cosine * strayed(m, layers.w, own) * m.strayRatio;
+        matt *= layers.z;
+        again *= layers.z;
 #ifdef LIT_COAT
-    once *= (1.0 - m.stray) * veil(layers.x, m.coatVeil, m.coatMean, even);
+        once *= (1.0 - m.stray) * veil(layers.x, m.coatVeil, m.coatMean, even);
+        float shine = m.coatShine * facets(m.coatAlpha, m.coatNormal, h, ofCoat, vec2(m.coatCosine, m.coatMasked)) * mix(rest5, 1.0, m.coatReflectance);
+#ifdef LIT_COAT_NORMAL
+        shine = dot(m.coatNormal, l) > 0.0 ? shine : 0.0;
 #endif
 #ifdef LIT_FUZZ
-    once *= veil(layers.y, m.fuzzVeil, m.fuzzMean, even);
+        shine *= veil(layers.y, m.fuzzCoatVeil, m.fuzzMean, evenOf(m.coatFacets.rough, ofCoat));
 #endif
-    matt *= layers.z;
-    again *= layers.z;
+        above = vec3(shine);
 #endif
-    vec3 fresnel = max(mix(vec3(rest5), vec3(1.0), m.base) - m.dip * (facing * rest5 * rest), 0.0);
+#ifdef LIT_FUZZ
+        once *= veil(layers.y, m.fuzzVeil, m.fuzzMean, even);
+        above += m.fuzzColor * fibres(m.fuzzRough, dot(m.normal, h), cosine, m.cosine);
+#endif
+    }
+#endif
+    vec3 fresnel = max(m.base + rest5 * (1.0 - m.base) - m.dip * (facing * rest5 * rest), 0.0);
     TONE mirrored = TONE(mix(rest5, 1.0, m.reflectance));
 #ifdef LIT_FILM
     if (m.film.weight > 0.0) {
@@ -103,27 +117,17 @@ vec3 surfaceLobe(Lit m, vec3 l)
     }
 #endif
 #ifdef LIT_GRAIN
-    vec3 sent = grained(m.grain, m.base, m.grainAgain, dot(l, m.toEye), vec2(cosine, m.cosine), grainLost(m.grain, cosine));
+    vec3 sent = (1.0 - m.metal) * grained(m.grain, m.base, m.grainAgain, dot(l, m.toEye), vec2(cosine, m.cosine), grainLost(m.grain, cosine));
 #else
-    vec3 sent = m.base;
+    vec3 sent = (1.0 - m.metal) * m.base;
 #endif
-    vec3 dielectric = matt * sent + m.tint * (once * mirrored + again * m.again);
-    vec3 sum = mix(dielectric, once * fresnel + again * m.metalAgain, m.metal);
+    vec3 sum = matt * sent + again * mix(m.again * m.tint, m.metalAgain, m.metal) + once * (((1.0 - m.metal) * m.tint) * mirrored + m.metal * fresnel);
 #ifdef LIT_LAYERS
     sum += stray.x * m.metalBounce + stray.y * m.dielectricBounce;
-#endif
 #ifdef LIT_COAT
-    float shine = m.coatShine * facets(m.coatAlpha, m.coatNormal, h, ofCoat, vec2(m.coatCosine, m.coatMasked)) * mix(rest5, 1.0, m.coatReflectance);
-#ifdef LIT_COAT_NORMAL
-    shine = dot(m.coatNormal, l) > 0.0 ? shine : 0.0;
+    sum *= m.coatTint;
 #endif
-#ifdef LIT_FUZZ
-    shine *= veil(layers.y, m.fuzzCoatVeil, m.fuzzMean, evenOf(m.coatFacets.rough, ofCoat));
-#endif
-    sum = sum * m.coatTint + shine;
-#endif
-#ifdef LIT_FUZZ
-    sum += m.fuzzColor * fibres(m.fuzzRough, dot(m.normal, h), cosine, m.cosine);
+    sum += above;
 #endif
     return m.kept * sum;
 }

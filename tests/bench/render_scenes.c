@@ -193,3 +193,22 @@ void scenes_panes(Text *out, int count)
         text_put(out, " } }\n");
     }
 }
+
+void scenes_lobes(Text *out, const char *material, int count)
+{
+    text_format(out, "image: { width: 256, height: 256 }\ncamera: { camera: Perspective, position: [0, -6, 0], target: [0, 0, 0], angle: 40 }\n"
+                     "lights:\n");
+    for (int i = 0; i < count; i++) {
+        const double turn = 2.4 * i, far = 4 * sqrt((i + .5) / count);
+        text_put(out, "- { light: Point, shadows: false, intensity: ");
+        text_rounded(out, 60. / count, 6);
+        text_put(out, ", position: ");
+        put_vector(out, (double[3]){far * cos(turn), -3, far * sin(turn)});
+        text_put(out, " }\n");
+    }    text_format(out, "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 0, 8], transform: { translation: [-4, 0, -4] }, material: { %s } }\n", material);
+}
+
+void scenes_unseen(Text *out)
+{
+    text_put(out, "- { object: Sphere, transform: { translation: [0, -90, 0] }, material: { material: Principled, fuzz: .6, coat: .8 } }\n");
+}

@@ -15,4 +15,8 @@ void scenes_objects(Text *out, int count);
 void scenes_passes(Text *out, int panes);
 /* So many panes over the whole picture, lit by one lamp, not in the order of their depths. */
 void scenes_panes(Text *out, int count);
+/* A wall of a material over the whole picture, and so many lamps before it. */
+void scenes_lobes(Text *out, const char *material, int count);
+/* A further object of it, behind the camera: a coat and fuzz are among the scene's surfaces. */
+void scenes_unseen(Text *out);
 #endif

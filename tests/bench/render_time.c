@@ -124,6 +124,12 @@ int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime lea
     return count;
 }
 
+void bench_csv(const Bench *bench, const char *table, const char *row, const char *measure, double value)
+{
+    if (bench->csv && !isnan(value))
+        fprintf(bench->csv, "%s,%s,%s,%.9g\n", table, row, measure, value);
+}
+
 static bool is_black(const float *rgba, int pixels)
 {
     int lit = 0;

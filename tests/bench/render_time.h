@@ -42,4 +42,6 @@ int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime lea
 /* The share of pixels at which the light, cut at 1, of one renderer's picture and of the forward renderer's is apart by more than `bound`; where there
  * are two, of the one that is worse. NAN: they are black, or could not be read. */
 double bench_scene_apart(const Bench *bench, BenchScene *scene, double bound);
+/* A line of the CSV, where there is one, of what was measured. */
+void bench_csv(const Bench *bench, const char *table, const char *row, const char *measure, double value);
 #endif

@@ -1,0 +1,10 @@
+/* Tables of matbench render that are of passes. False: said on standard error. */
+#ifndef RENDER_PASSES_H
+#define RENDER_PASSES_H
+#include "render_time.h"
+
+bool bench_passes(const Bench *bench);
+bool bench_fragments(const Bench *bench);
+/* What a light takes of each surface, beside Phong's. */
+bool bench_lobes(const Bench *bench);
+#endif
