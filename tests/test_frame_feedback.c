@@ -3,6 +3,7 @@
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"
 #include "tests/frame/frame_draw.h"
+#include "runtime/frame/frame.h"
 #include "runtime/scene/scene_patches.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -136,6 +137,42 @@ static void skirts_hide_gaps(void **state)
     gl_close(gl);
 }
 
+static int triangles_from(Render *render, Scene *scene, const double eye[3], const double target[3])
+{
+    memcpy(scene->camera.position, eye, sizeof scene->camera.position);
+    memcpy(scene->camera.target, target, sizeof scene->camera.target);
+    assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine && render_changed(render, RENDER_CAMERA) &&
+                render_frame(render));
+    return (int)render->cache.triangles;
+}
+
+/* Wherever a camera looks from one place, there are as many; from another place there are as many as the criterion has there. */
+static void a_turn_leaves_triangles_alone(void **state)
+{
+    (void)state;
+    static const double eyes[2][3] = {{1, -3, 2}, {.2, -2.2, 1.7}},
+                        targets[3][3] = {{0, 0, 0}, {.9, .4, -.3}, {3, -9, 2}};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    MatcDocument *document;
+    Scene *scene =
+        displaced_body(3, "method: feedback, near: 0.5, detail: 450.31, steps: 6, skirts: none", &options, &document);
+    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
+    long wanted[2];
+    assert_true(render && render_scene(render, scene));
+    for (int i = 0; i < 6; i++) {
+        Criterion c = {.near = .5, .detail = 450.31, .steps = 6, .skirts = SKIRTS_none};
+        memcpy(c.eye, eyes[i / 3], sizeof c.eye);
+        wanted[i / 3] = divided_square(&c);
+        assert_int_equal(triangles_from(render, scene, eyes[i / 3], targets[i % 3]), wanted[i / 3]);
+    }
+    print_message("%ld triangles, and %ld from nearer, however the camera is turned\n", wanted[0], wanted[1]);
+    assert_true(wanted[0] < wanted[1]);
+    render_close(render);
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
 /* 2 times 4^4. */
 static void steps_go_by_triangles(void **state)
 {
@@ -154,6 +191,7 @@ int main(void)
         cmocka_unit_test(triangles_are_those_of_the_criterion),
         cmocka_unit_test(all_near_is_an_even_division),
         cmocka_unit_test(skirts_hide_gaps),
+        cmocka_unit_test(a_turn_leaves_triangles_alone),
         cmocka_unit_test(steps_go_by_triangles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 #include <string.h>
 
 enum { EDGE = 1024, VIEWS = 24, TEXT = 2048 };
@@ -61,6 +62,9 @@ static void end(Bisected *b)
     matc_document_free(b->document);
 }
 
+/* Seconds of all processors together that this program has had. */
+static double processor_now(void) { return (double)clock() / CLOCKS_PER_SEC; }
+
 /* Seconds; a negative number: it fails. */
 static double write(Bisected *b)
 {
@@ -87,11 +91,13 @@ static double find_pixels(Bisected *b, int triangles)
 
 static bool measure_row(Bisected *b, int row, bool timed)
 {
-    double took[VIEWS];
+    double took[VIEWS], busy[VIEWS];
     long splits = 0, merges = 0, looked = 0;
     for (int i = 0; i < VIEWS; i++) {
         b->scene->camera.position[1] += rows[row].step;
+        busy[i] = -processor_now();
         took[i] = write(b);
+        busy[i] += processor_now();
         if (took[i] < 0)
             return false;
         splits += displaced_bisection_cost(&b->displaced).splits;
@@ -99,10 +105,11 @@ static bool measure_row(Bisected *b, int row, bool timed)
         looked += displaced_bisection_cost(&b->displaced).looked;
     }
     qsort(took, VIEWS, sizeof *took, by_value);
+    qsort(busy, VIEWS, sizeof *busy, by_value);
     const DisplacedBisectionCost cost = displaced_bisection_cost(&b->displaced);
-    printf("%-10s %10d %10ld %10ld %10ld %10.2f %10.2f %10s\n", rows[row].name, cost.leaves, looked / VIEWS,
+    printf("%-10s %10d %10ld %10ld %10ld %10.2f %10.2f %10s %10s\n", rows[row].name, cost.leaves, looked / VIEWS,
            splits / VIEWS, merges / VIEWS, (double)cost.kept / cost.leaves, (double)cost.scratch / cost.leaves,
-           NUMBER(3, timed ? 1e3 * took[VIEWS / 2] : NAN));
+           NUMBER(3, timed ? 1e3 * took[VIEWS / 2] : NAN), NUMBER(3, timed ? 1e3 * busy[VIEWS / 2] : NAN));
     return true;
 }
 
@@ -115,8 +122,9 @@ bool displacement_bisection(GlContext *gl, bool timed, int triangles)
     if (fine)
         printf("\nbisection in place, a terrain of six octaves in %d x %d pixels, %d views; triangles looked at, "
                "bisected and merged a view, bytes a triangle kept and of scratch\n"
-               "%-10s %10s %10s %10s %10s %10s %10s %10s\n",
-               EDGE, EDGE, VIEWS, "camera", "triangles", "looked at", "bisected", "merged", "kept", "scratch", "ms");
+               "%-10s %10s %10s %10s %10s %10s %10s %10s %10s\n",
+               EDGE, EDGE, VIEWS, "camera", "triangles", "looked at", "bisected", "merged", "kept", "scratch", "ms",
+               "CPU ms");
     for (int i = 0; fine && i < ROWS; i++)
         fine = measure_row(&b, i, timed);
     if (!fine)
