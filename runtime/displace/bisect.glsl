@@ -67,7 +67,11 @@ shared uint bisect_head[BISECT_COUNTS];
 #endif
 // Lists; the last but of one word for each BISECT_TILE places: how far the camera will have gone when these have to be looked at, as a float, which is not negative.
 const uint LIST_FREE = 0u, LIST_FLAGS = 1u, LIST_CHOSEN = 2u, LIST_WANTED = 3u, LIST_MERGING = 5u, LIST_DUE = 7u;
-const uint BISECT_TILE = 16u, BISECT_LOOK_TILES = 16u; // of a leaf; of a group that looks
+#ifdef BISECT_WIDE // to look at more than need be costs a device less than to choose more finely
+const uint BISECT_TILE = 16u, BISECT_LOOK_TILES = 16u; // of places; of a group that looks
+#else
+const uint BISECT_TILE = 2u;
+#endif
 // How many leaves a group bisects at once. Each has nine heights at least, for a thread each where a device has many.
 #ifdef BISECT_FEW
 const uint BISECT_SPLITS = 128u;

@@ -24,7 +24,8 @@ enum {
     BISECTION_EXTENT = BISECTION_BOX + 6, /* three words of each light */
     BISECTION_HEAD = BISECTION_EXTENT + 3 * BISECTION_LIGHTS_MOST,
     BISECTION_LISTS = 7,
-    BISECTION_TILE = 16 /* places that are looked at together: one word for these, behind the lists */
+    BISECTION_TILE = 2, /* places that are looked at together: one word for these, behind the lists */
+    BISECTION_TILE_WIDE = 16 /* likewise, where a device has many threads */
 };
 /* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what follows them is one farther. */
 enum {
@@ -60,6 +61,7 @@ typedef struct {
     GLuint buffers[BISECTION_BUFFERS];
     int room, most, table_bits;             /* for leaves now, and ever; bits of a place in the table */
     int ranged;                             /* ranges go so deep */
+    int tile;                               /* BISECTION_TILE, or of a device */
     int rounds[2];                          /* of merging and of splitting, that the last view took */
     int stamp;                              /* of entries of the table; 0: it has to be cleared */
     int coarser;                            /* fourths of an octave that an error may be larger */
@@ -80,7 +82,7 @@ void bisection_forget(Displaced *displaced);
 /* Room for so many leaves, and their corners in the mesh; those that there are stay. */
 bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
 /* Of the buffer of lists, for so many leaves. */
-size_t bisection_work_bytes(size_t places);
+size_t bisection_work_bytes(const Bisection *b, size_t places);
 /* And of that of leaves. */
 size_t bisection_leaf_bytes(size_t places);
 /* Its shadows count. */

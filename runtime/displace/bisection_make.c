@@ -177,9 +177,9 @@ static void grow_buffer(const GlContext *gl, GLuint buffer, size_t had, size_t b
     gl->DeleteBuffers(1, &kept);
 }
 
-size_t bisection_work_bytes(size_t places)
+size_t bisection_work_bytes(const Bisection *b, size_t places)
 {
-    return sizeof(GLuint) * (BISECTION_HEAD + BISECTION_LISTS * places + places / BISECTION_TILE + 1);
+    return sizeof(GLuint) * (BISECTION_HEAD + BISECTION_LISTS * places + places / (size_t)b->tile + 1);
 }
 
 size_t bisection_leaf_bytes(size_t places)
@@ -201,7 +201,7 @@ bool bisection_room(Displaced *d, Mesh *mesh, int room)
     grow_buffer(gl, b->buffers[BISECTION_LEAVES], bisection_leaf_bytes(had), bisection_leaf_bytes(places));
     grow_buffer(gl, mesh->buffers[0], had * CORNER_BYTES, places * CORNER_BYTES);
     new_buffer(gl, b->buffers[BISECTION_TABLE], ((size_t)1 << b->table_bits) * sizeof(GLuint), NULL);
-    new_buffer(gl, b->buffers[BISECTION_WORK], bisection_work_bytes(places), NULL);
+    new_buffer(gl, b->buffers[BISECTION_WORK], bisection_work_bytes(b, places), NULL);
     bisection_set_number(d, "bisect_room", room);
     bisection_set_number(d, "bisect_tableBits", b->table_bits);
     return displaced_unshared(d, mesh, room);
@@ -271,6 +271,7 @@ bool bisection_make(const DisplacedMaking *making, Displaced *made)
     size_t words = 0;
     if (!b)
         return gl_fail(gl, "out of memory");
+    b->tile = gl->hardware ? BISECTION_TILE_WIDE : BISECTION_TILE;
     if (!make_stages(making, made, b))
         return false;
     uint32_t *bases = displaced_bisection_bases(making->patches, &words);

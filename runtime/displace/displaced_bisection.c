@@ -146,7 +146,7 @@ static void look(const Displaced *d, GLuint high)
 {
     enum { LOOK_TILES = 16 /* of a group */ };
     Bisection *b = d->own;
-    const GLuint tiles = (high + BISECTION_TILE - 1) / BISECTION_TILE;
+    const GLuint tiles = (high + (GLuint)b->tile - 1) / (GLuint)b->tile;
     if (displaced_context(d)->hardware) {
         dispatch(d, &b->stages[BISECTION_LOOK], (tiles + LOOK_TILES - 1) / LOOK_TILES * GROUP);
         return;
@@ -200,7 +200,7 @@ static bool update(Displaced *d)
         b->rounds[i] = (int)b->head[BISECTION_ROUNDS + i] < MOST ? (int)b->head[BISECTION_ROUNDS + i] : MOST;
     b->splits += (int)b->head[BISECTION_SPLITS];
     b->merges += (int)b->head[BISECTION_MERGES];
-    b->looked += BISECTION_TILE * (int)b->head[BISECTION_LOOKED];
+    b->looked += b->tile * (int)b->head[BISECTION_LOOKED];
     b->entries += (fresh ? high : 0) + b->head[BISECTION_MERGES] + 2. * b->head[BISECTION_SPLITS];
     if (b->head[BISECTION_FULL])
         b->pixels = 0;
@@ -284,7 +284,7 @@ DisplacedBisectionCost displaced_bisection_cost(const Displaced *d)
                                     .kept = bisection_leaf_bytes(b->head[BISECTION_HIGH]) +
                                             2 * sizeof(GLuint) * ((size_t)d->patches->count << (b->ranged + 1)),
                                     .scratch =
-                                        (sizeof(GLuint) << b->table_bits) + bisection_work_bytes((size_t)b->room),
+                                        (sizeof(GLuint) << b->table_bits) + bisection_work_bytes(b, (size_t)b->room),
                                     .looks = b->looks,
                                     .looked = b->looked,
                                     .pixels = d->patches->pixels * exp2(b->coarser / 4.)};
