@@ -23,6 +23,10 @@ static const char tools[] =
     "Surface made(ivec2 p, float base, float metal) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), vec3(1.0), metal, roughOf(p), 0.04, 1.0, 3.0 * varied(p, 0.29), 1.2 + 0.8 * varied(p, 0.43)); }\n";
 static const char films[] =
     "vec4 passPixel(ivec2 p) { return vec4(filmReflected(Film(1.0, 5.0 * varied(p, 0.618), 1.1 + 1.2 * varied(p, 0.382)), cosineOf(p), vec3(varied(p, 0.733) * varied(p, 0.733))), 1.0); }\n";
+/* A smooth film of water in air, a metre's millionth thick at most, along the normal and at 60 degrees: what it sends of white light from all around. */
+static const char soap[] =
+    "vec4 passPixel(ivec2 p) { Surface s = Surface(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(1.0), 0.0, 0.0, 0.0, 1.0, 2.0 * 1.33 * (float(p.x) + 0.5 + SIDE * float(p.y)) / (SIDE * SIDE), 1.33);\n"
+    "    return vec4(surfaceAmbient(surfaceLit(s, toward((p.x & 1) == 0 ? 1.0 : 0.5, 0.0)), vec3(1.0)), 1.0); }\n";
 static const char furnace[] =
     LOBE_FACET LOBE_SEEN
     "float density(vec3 v, vec3 l, float a) { return 0.5 * (seen(v, l, a) + l.z) / 3.14159265; }\n"
@@ -103,6 +107,54 @@ static void films_are_sums_over_wavelengths(void **state)
     assert_true(worst < .11 && sqrt(squares) < .006);
 }
 
+/* Airy's sum in closed form: F sin^2 / (1 + F sin^2) of half the phase between the sides, F = 4 R / (1 - R)^2, R what one side reflects by Fresnel's formulas, of both
+ * polarisations, by wavelengths as an observer weighs them. */
+static void airy_of(double thickness, double cosine, double lanes[3])
+{
+    const double n = 1.33, inner = sqrt(1 - (1 - cosine * cosine) / (n * n));
+    const double r[2] = {(cosine - n * inner) / (cosine + n * inner), (n * cosine - inner) / (n * cosine + inner)};
+    double white[3] = {0}, one[3];
+    lanes[0] = lanes[1] = lanes[2] = 0;
+    for (int nm = OBSERVER_FIRST; nm <= OBSERVER_LAST; nm++) {
+        const double half = sin(2 * LOBE_PI * n * thickness * inner / (nm * 1e-3)), sine2 = half * half;
+        double sum = 0;
+        for (int k = 0; k < 2; k++) {
+            const double side = r[k] * r[k], finesse = 4 * side / ((1 - side) * (1 - side));
+            sum += .5 * finesse * sine2 / (1 + finesse * sine2);
+        }
+        observer_lanes(nm, one);
+        for (int lane = 0; lane < 3; lane++) {
+            lanes[lane] += one[lane] * sum;
+            white[lane] += one[lane];
+        }
+    }
+    for (int lane = 0; lane < 3; lane++)
+        lanes[lane] /= white[lane];
+}
+
+/* A film in air is one on a base of index 1, which reflects nothing of its own. */
+static void soap_is_airys(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst[2] = {0}, most[2] = {0}, least[2] = {1, 1};
+    GlContext *gl = frame_context();
+    run(gl, soap, said);
+    gl_close(gl);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double want[3];
+        airy_of((i + .5) / (SIDE * SIDE), i % 2 ? .5 : 1, want);
+        for (int lane = 0; lane < 3; lane++) {
+            worst[i % 2] = fmax(worst[i % 2], fabs((double)said[i][lane] - fmin(fmax(want[lane], 0), 1)));
+            most[i % 2] = fmax(most[i % 2], want[lane]);
+            least[i % 2] = fmin(least[i % 2], want[lane]);
+        }
+    }
+    for (int k = 0; k < 2; k++)
+        print_message("soap, %s: %.4f to %.4f, within %.4f\n", k ? "60 degrees" : "along the normal", least[k], most[k], worst[k]);
+    assert_true(worst[0] < .003 && worst[1] < .006);
+}
+
 static void white_sends_all(void **state)
 {
     (void)state;
@@ -132,7 +184,7 @@ static void light_and_eye_change_places(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(films_are_sums_over_wavelengths), cmocka_unit_test(white_sends_all),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(films_are_sums_over_wavelengths), cmocka_unit_test(soap_is_airys), cmocka_unit_test(white_sends_all),
                                        cmocka_unit_test(light_and_eye_change_places)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -80,11 +80,11 @@ vec2 baseAround(Lit m, float cosine)
 #endif
 }
 
-// What the dielectric reflects of all that arrives from a direction with that albedo().
-TONE baseReflected(Lit m, vec2 albedo)
+// What the dielectric reflects of all that arrives from a direction with that albedo() and cosine.
+TONE baseReflected(Lit m, vec2 albedo, float cosine)
 {
 #ifdef LIT_FILM
-    return filmedOf(m.film, albedo, m.alpha, m.reflectance, m.again);
+    return filmedOf(m.film, albedo, vec2(cosine, m.alpha), m.reflectance, m.again);
 #else
     return reflectedOf(albedo, m.reflectance, m.again);
 #endif
@@ -200,7 +200,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
         vec3 own = share * vec3(1.0, baseAround(m, t * t));
         mean += own;
 #ifdef LIT_FILM
-        vec3 filmed = (own.x - own.y) * filmAround(m.film, own.yz / share, m.alpha, vec3(m.reflectance));
+        vec3 filmed = (own.x - own.y) * filmAround(m.film, t * t, m.alpha, vec3(m.reflectance));
         m.filmMean += share * filmReflected(m.film, t * t, vec3(m.reflectance));
         m.metalFilmMean += share * filmReflected(m.film, t * t, m.base);
 #endif
@@ -232,9 +232,9 @@ TONE comesToBase(Lit m, float cosine)
 {
     vec2 own = baseAround(m, cosine);
 #ifdef LIT_LAYERS
-    return (1.0 - baseReflected(m, own)) * below(m, cosine, cosine, own.x).z;
+    return (1.0 - baseReflected(m, own, cosine)) * below(m, cosine, cosine, own.x).z;
 #else
-    return 1.0 - baseReflected(m, own);
+    return 1.0 - baseReflected(m, own, cosine);
 #endif
 }
 
@@ -318,7 +318,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
     fresnel = mix(fresnel, m.filmMean, m.film.weight);
 #endif
     m.again = fresnel * fresnel * (1.0 - mean.y) / (1.0 - fresnel * mean.y);
-    m.baseOfEye = 1.0 - baseReflected(m, eye);
+    m.baseOfEye = 1.0 - baseReflected(m, eye, m.cosine);
     m.lossRatio = eye.x / max(left.y, 1e-3); // so smooth that a second reflection is nothing
     TONE reflected = TONE(mix(left.z, left.x - left.y, m.reflectance));
 #ifdef LIT_FILM
@@ -337,7 +337,7 @@ Lit surfaceLit(Surface s, vec3 toEye)
         m.dip * (m.cosine * rest3 * rest3 * (1.0 - eye.x));
 #ifdef LIT_FILM
     if (m.film.weight > 0.0 && m.metal > 0.0)
-        ofMetal = mix(ofMetal, (1.0 - eye.x) * filmAround(m.film, eye, m.alpha, m.base) + eye.x * m.metalAgain, m.film.weight);
+        ofMetal = mix(ofMetal, (1.0 - eye.x) * filmAround(m.film, m.cosine, m.alpha, m.base) + eye.x * m.metalAgain, m.film.weight);
 #endif
 #ifdef LIT_GRAIN
     vec3 sent = litGrain(s, meanBase, m);

@@ -51,7 +51,7 @@ Lit surfaceMatt(Lit m)
 vec3 fromBehind(Lit m, vec3 l, float cosine)
 {
     vec2 own = baseAlbedo(m, l, cosine);
-    vec3 sum = m.kept * cosine * (1.0 - baseReflected(m, own)) * m.baseRatio * m.behind;
+    vec3 sum = m.kept * cosine * (1.0 - baseReflected(m, own, cosine)) * m.baseRatio * m.behind;
 #ifdef LIT_LAYERS
     sum *= below(m, cosine, coatCosineOf(m, -l, cosine), own.x).z;
 #endif
@@ -81,7 +81,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
 #endif
     vec2 own = baseAlbedo(m, l, cosine);
     float again = cosine * own.x * m.lossRatio;
-    TONE matt = cosine * (1.0 - baseReflected(m, own)) * m.baseRatio;
+    TONE matt = cosine * (1.0 - baseReflected(m, own, cosine)) * m.baseRatio;
 #ifdef LIT_LAYERS
     vec3 above = vec3(0.0);
     vec2 stray = vec2(0.0);

@@ -15,7 +15,7 @@ vec3 notReflected(Surface s, vec3 toEye)
     rough = clamp(rough, 0.0316227766, 1.0);
     vec2 base = albedo(cosine, glossOf(rough));
 #ifdef LIT_FILM
-    left *= 1.0 - filmedOf(filmOf(s), base, rough * rough, reflectance, vec3(0.0));
+    left *= 1.0 - filmedOf(filmOf(s), base, vec2(cosine, rough * rough), reflectance, vec3(0.0));
 #else
     left *= 1.0 - reflectedOf(base, reflectance, 0.0);
 #endif
