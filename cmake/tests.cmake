@@ -44,7 +44,7 @@ file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
 set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures test_reference_bounces
   test_value test_shared test_function test_filtered_mean test_layout_claims
   test_frame_bisection test_frame_bisection_lights test_frame_bisection_moves test_frame_cast test_frame_cycles
-  test_frame_displaced test_frame_glass test_frame_history test_frame_hybrid test_frame_indirect_truth test_frame_lights test_frame_many
+  test_frame_displaced test_frame_glass test_frame_coplanar test_frame_history test_frame_hybrid test_frame_indirect_truth test_frame_lights test_frame_many
   test_frame_meshes test_frame_moving test_frame_radiance test_frame_shade test_frame_silhouette test_frame_soft test_frame_volume_cells)
 foreach(file ${TESTS})
   get_filename_component(name ${file} NAME_WE)

@@ -2,19 +2,19 @@
  *
  *     #version 450 core
  *     #define main surfaceMain
- *     layout(early_fragment_tests) in;
  *     ... what matc wrote, without its #version: void main() { ... fragment0 = ...; }
  *     #undef main
  *     #define FRAGMENT_DEPTH gl_FragCoord.z
  *     #define LISTS_STRIDE 6u
  *     #define LISTS_PACK fragment0.x, fragment0.y, fragment0.z, fragment0.w
+ *     ... depth_hidden.glsl
  *     ... lists_store.glsl, whose main() calls surfaceMain() */
 #include "runtime/cache/transparency.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-extern const char render_text_lists_store[], render_text_peel_layer[], render_text_glass_store[],
+extern const char render_text_lists_store[], render_text_peel_layer[], render_text_glass_store[], render_text_depth_hidden[],
     render_text_voxel_touch[];
 
 /* How what a fragment program gives a target becomes words, and these a texel: %1$d is the target, %2$d its first word. */
@@ -111,8 +111,6 @@ void transparency_text(const GlContext *gl, const Set *set, Transparency way, Tr
         put(tail, "#undef main\n#define FRAGMENT_DEPTH %s\n", depths[plane]);
         while (set_format(set, targets))
             targets++;
-        if (lists && plane)
-            put(tail, "#define LISTS_TEST_DEPTH\n");
         if (lists)
             put_packing(set, tail);
         else
@@ -135,7 +133,7 @@ static const char *without_version(const char *text)
 void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *program)
 {
     const char *vertex = program->vertex[0], *fragment = program->fragment[0];
-    const char *const pieces[] = {text->head, without_version(fragment), text->tail[plane], text->body};
+    const char *const pieces[] = {text->head, without_version(fragment), text->tail[plane], render_text_depth_hidden, text->body};
     memcpy(program->fragment, pieces, sizeof pieces);
     if (text->way != TRANSPARENCY_peeling || !text->instances || plane)
         return;

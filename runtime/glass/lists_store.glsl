@@ -1,10 +1,6 @@
 // The end of a transparent material's fragment program, where there are lists: appends the fragment to its pixel's. transparency.c has what
 // stands before it.
-#ifdef LISTS_TEST_DEPTH
-uniform sampler2D lists_depth; // of what is opaque: a program that writes depth is not tested before it runs
-#else
-layout(early_fragment_tests) in;
-#endif
+uniform sampler2D lists_depth; // of what is opaque
 
 // Behind the heads of all pixels, 0 or 1 + the number of a node, lie the nodes: the next of the list, the depth, what is packed.
 layout(std430, binding = 2) buffer Lists {
@@ -18,9 +14,7 @@ layout(std430, binding = 2) buffer Lists {
 void main()
 {
     surfaceMain();
-#ifdef LISTS_TEST_DEPTH
-    if (FRAGMENT_DEPTH <= texelFetch(lists_depth, ivec2(gl_FragCoord.xy), 0).x) return;
-#endif
+    if (depthHidden(FRAGMENT_DEPTH, texelFetch(lists_depth, ivec2(gl_FragCoord.xy), 0).x)) return; // not sooner: neighbours want its slopes
     uint number = atomicAdd(lists_count, 1u);
     if (number >= lists_room) return;
     uint at = lists_pixels + number * LISTS_STRIDE;

@@ -33,36 +33,18 @@ static bool make_buffer(Render *render, GLuint room)
     return gl_check(render->gl, "making room for transparent fragments");
 }
 
-/* Nothing is written but by the programs themselves. */
-static void begin(const Render *render, FrameDraw draw)
+/* Nothing is written but by the programs themselves, which test depth, too: a framebuffer without depth. */
+static void draw(Render *render)
 {
     static const GLenum none = GL_NONE;
-    surface_draw_begin(render, &render->targets.draws[draw], GL_GREATER);
+    surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_light], GL_GREATER);
     render->gl->DrawBuffers(1, &none);
     render->gl->DepthMask(GL_FALSE);
-}
-
-static void end(const Render *render)
-{
+    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), render->glass.lists.depth_unit);
+    surface_draw_objects(render, true);
+    surface_draw_planes(render, true);
     render->gl->DepthMask(GL_TRUE);
     surface_draw_end(render);
-}
-
-/* Tested against the depth of what is opaque before their programs run. */
-static void draw_surfaces(Render *render)
-{
-    begin(render, FRAME_DRAW_surface);
-    surface_draw_objects(render, true);
-    end(render);
-}
-
-/* Their programs write depth, and test it themselves: a framebuffer without depth. */
-static void draw_planes(Render *render)
-{
-    begin(render, FRAME_DRAW_light);
-    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), render->glass.lists.depth_unit);
-    surface_draw_planes(render, true);
-    end(render);
 }
 
 void pass_lists_draw(Render *render)
@@ -72,8 +54,7 @@ void pass_lists_draw(Render *render)
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->glass.lists.buffer);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, COUNT * sizeof(GLuint), (GLsizeiptr)heads,
                            GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
-    draw_surfaces(render);
-    draw_planes(render);
+    draw(render);
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
