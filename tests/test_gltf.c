@@ -1,6 +1,7 @@
 /* glTF files with materials: as documents, what is not read and where that stands; their meshes in parts; objects of a scene. */
 #include "grammar/lobe_table.h"
 #include "gltf_folder.h"
+#include "compiler/document.h"
 #include "runtime/scene/model.h"
 
 #define MESH                                                                                                           \
@@ -193,11 +194,78 @@ static int clean(void **state)
     return rmdir(folder);
 }
 
+/* Ways to pictures below a node. */
+typedef struct {
+    int linear, srgb, centred;
+} Pictures;
+
+static void count_pictures(const Node *node, Pictures *found)
+{
+    if (node && node->kind == KIND_ImageMap) {
+        const bool srgb = node_param(node, P_ImageMap_colorspace)->number[0] == WORD_ColorSpace_srgb;
+        found->srgb += srgb, found->linear += !srgb;
+        found->centred += node_param(node, P_ImageMap_texels)->number[0] == WORD_Texels_centre;
+    }
+    for (int i = 0; node && i < kind_table[node->kind].count; i++) {
+        const Value *value = &node->params[i];
+        if (value->kind == VALUE_node)
+            count_pictures(value->node, found);
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            count_pictures(value->items->item[k].input, found);
+    }
+}
+
+/* glTF 2.0, section 3.9: the pictures of base colour, emission, sheen's and specular's colour are sRGB, all others linear; 3.8.4: a texel is a point in the middle of its
+ * square. So it is in a document, too: what a map says itself goes first, what another material has is as the document says. */
+static void documents_have_pictures_as_files_do(void **state)
+{
+    (void)state;
+#define P "{ map: ImageMap, image: 'tiles a.png' }"
+    enum { NONE, SOME, ALL };
+    static const struct {
+        const char *text;
+        bool linear, srgb;
+        int centred;
+    } rows[] = {
+        {"material: glTF\nbaseColorTexture: " P, false, true, ALL},
+        {"material: glTF\nemissiveFactor: 1\nemissiveTexture: " P, false, true, ALL},
+        {"material: glTF\nsheenColorFactor: 1\nsheenColorTexture: " P, false, true, ALL},
+        {"material: glTF\nspecularColorTexture: " P, false, true, ALL},
+        {"material: glTF\nmetallicRoughnessTexture: " P, true, false, ALL},
+        {"material: glTF\nnormalTexture: " P, true, false, ALL},
+        {"material: glTF\nclearcoatFactor: 1\nclearcoatRoughnessFactor: 1\nclearcoatRoughnessTexture: " P, true, false, ALL},
+        {"material: glTF\nemissiveFactor: { map: UVTransform, scaleU: 2, input: " P " }", false, true, ALL},
+        {"material: glTF\nemissiveFactor: 1\nemissiveTexture: { map: Checker, input: " P " }", true, false, ALL},
+        {"material: glTF\nnormalTexture: { map: ImageMap, image: 'tiles a.png', texels: corner }", true, false, NONE},
+        {"material: glTF\nemissiveFactor: 1\nemissiveTexture: { map: ImageMap, image: 'tiles a.png', colorspace: linear }", true, false, ALL},
+        {"colors: srgb\nmaterial: glTF\nmetallicRoughnessTexture: " P, true, false, ALL},
+        {"material: Mix\na: { material: glTF, emissiveFactor: 1, emissiveTexture: " P " }\nb: { material: Principled, emission: 1, emissionColor: " P " }", true, true, SOME},
+        {"material: StandardSurface\nemission: 1\nemission_color: " P, true, false, NONE},
+        {"material: Phong\ndiffuse: " P, true, false, NONE},
+        {"colors: srgb\nmaterial: Phong\ndiffuse: " P, false, true, NONE},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        Pictures found = {0};
+        MatcOptions options;
+        char path[128];
+        matc_options_init(&options);
+        MatcDocument *document = matc_read(path_of("rows.yaml", path), rows[i].text, strlen(rows[i].text), &options);
+        if (!document->graph)
+            fail_msg("%s: %s", rows[i].text, matc_diagnostics(document, MATC_TEXT));
+        count_pictures(document->graph->materials[0].node, &found);
+        const int all = found.linear + found.srgb, centred = found.centred == all ? ALL : found.centred ? SOME : NONE;
+        if (!all || (found.linear > 0) != rows[i].linear || (found.srgb > 0) != rows[i].srgb || centred != rows[i].centred)
+            fail_msg("%s: %d linear, %d sRGB, %d centred", rows[i].text, found.linear, found.srgb, found.centred);
+        matc_document_free(document);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_a_document),
                                        cmocka_unit_test(what_is_not_read_is_said),
                                        cmocka_unit_test(meshes_are_in_parts), cmocka_unit_test(meshes_have_colors),
-                                       cmocka_unit_test(a_mesh_has_the_files_materials)};
+                                       cmocka_unit_test(a_mesh_has_the_files_materials),
+                                       cmocka_unit_test(documents_have_pictures_as_files_do)};
     return cmocka_run_group_tests(tests, prepare, clean);
 }

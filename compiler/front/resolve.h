@@ -5,10 +5,10 @@
 #include "compiler/front/tree.h"
 #include <string.h>
 
-/* An ImageMap that says no colour space, and where it will stand. */
+/* An ImageMap that does not say all of how its texels are read, and where that will stand; NULL: it says so. */
 typedef struct {
     const Node *node;
-    Value *colorspace;
+    Value *colorspace, *texels;
 } UndecidedPicture;
 
 /* What uses of definitions with parameters stand for. resolve_definition.c */
@@ -35,7 +35,7 @@ typedef struct {
     size_t broken_room;
     bool *srgb_files; /* by source: its colours are sRGB; those beyond the room are linear */
     size_t srgb_room;
-    UndecidedPicture *undecided; /* in files of `colors: srgb` */
+    UndecidedPicture *undecided;
     size_t undecided_count, undecided_room;
     int node_count;
     const Node *defaults[PARAM_COUNT]; /* a map's default by its parameter; NULL until a node wants it */
@@ -115,8 +115,8 @@ bool resolve_is_formula(const Tree *tree);
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
 bool resolve_is_name(const char *name);
 
-/* An ImageMap's colour space, where it has none of its own: linear, until resolve_picture_spaces finds that it feeds a colour.
- * resolve_picture.c */
+/* An ImageMap's colour space, where it has none of its own: linear, until resolve_picture_spaces finds that it feeds a colour, or that it is of a
+ * glTF material, which has its texels in the middle of their squares, too. resolve_picture.c */
 void resolve_picture(Resolver *r, const Node *node, Value *params);
 void resolve_picture_spaces(Resolver *r, const NamedMaterial *materials, int count);
 
