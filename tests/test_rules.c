@@ -47,6 +47,14 @@ static const RuleCase sums[] = {
     {"sub(neg(x), y)", NULL},
     {"sub(x, -2)", "add(x, 2)"},
     {"sub(x, 2)", NULL},
+    {"sub(1, sub(1, x))", "x"},
+    {"sub([1, 1, 1], sub(1, x))", "v.xxx"},
+    {"sub(1, sub([1, 1, 1], v))", "v"},
+    {"sub(2, sub(1, x))", NULL},
+    {"sub(1, sub(2, x))", NULL},
+    {"sub(1, sub([1, 1, 2], v))", NULL},
+    {"sub(1, sub(x, 1))", NULL},
+    {"sub(1, add(x, 1))", NULL},
     {"sub(v, [-1, 0, -3])", NULL},
 };
 

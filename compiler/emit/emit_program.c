@@ -127,6 +127,10 @@ static void put_functions(Scope *e, Text *out, const bool *run)
 static void put_output(Scope *e, Text *out, const IrOutput *output)
 {
     bool named = target_table[e->job->target].in_out;
+    if (output->kind == OUT_discard && ir_is_number(e->ir, output->value, 1)) { /* wherever it is */
+        text_put(out, "    discard;\n");
+        return;
+    }
     if (output->kind == OUT_discard) {
         text_put(out, "    if (");
         emit_expression(e, out, output->value, PRECEDENCE_any);

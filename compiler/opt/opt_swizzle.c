@@ -145,22 +145,21 @@ static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
     return push_down(ir, ref, uses, PUSH_DEPTH);
 }
 
-/* vec(v.x, v.y) -> v.xy */
+/* vec(v.x, v.y) -> v.xy; vec(v.xy, v.z) -> v.xyz, which is v of three lanes */
 static Ref gather_lanes(Ir *ir, Ref ref)
 {
-    int count = ir_lanes(ir, ref);
+    int count = 0;
     uint32_t lanes = 0;
     Ref from = 0;
-    if (ir_at(ir, ref)->count != count)
-        return ref;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < ir_at(ir, ref)->count; i++) {
         Ref part = ir_arg(ir, ref, i);
         if (!ir_is(ir, part, OP_swizzle) || (from && ir_arg(ir, part, 0) != from))
             return ref;
         from = ir_arg(ir, part, 0);
-        lanes |= ir_at(ir, part)->payload << 2 * i;
+        for (int k = 0; k < ir_lanes(ir, part); k++)
+            lanes |= lane_at(ir_at(ir, part)->payload, k) << 2 * count++;
     }
-    return build_lanes(ir, from, lanes, count);
+    return count == ir_lanes(ir, ref) ? build_lanes(ir, from, lanes, count) : ref;
 }
 
 /* vec(vec(a, b), c) -> vec(a, b, c) */
