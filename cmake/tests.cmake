@@ -136,7 +136,6 @@ if(NOT MATC_TESTS_ONCE)
   matc_test(folder sh tests/folder.sh $<TARGET_FILE:matc>)
   matc_test(links sh tests/links.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(lists sh tests/lists.sh $<TARGET_FILE:matc>)
-  matc_test(pictured sh tests/pictured.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR}/reference)
   matc_test(options sh tests/options.sh $<TARGET_FILE:matc>)
   matc_test(names sh tests/names.sh $<TARGET_FILE:matc>)
   matc_test(special sh tests/special.sh $<TARGET_FILE:matc>)
@@ -181,6 +180,7 @@ if(NOT SANITIZED)
   matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
   matc_test(test_valid_spirv test_valid spirv)
   matc_test(pages sh tests/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
+  matc_test(pictured sh tests/pictured.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR}/reference)
   matc_test(pictures sh tests/pictures.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(figures sh tests/figures.sh ${PROJECT_BINARY_DIR})
   matc_test(browser sh tests/browser/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
@@ -188,13 +188,18 @@ if(NOT SANITIZED)
 endif()
 
 # A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
-set(LONG test_value=200 batch=88 test_valid=80 pictures=80 test_frame_displacement=76 test_kill_failure=73 command_line=60 test_mended=50 test_frame_cast=50
-  test_host=49 test_statistics_cells=43 links=40 test_frame_radiance=40 test_frame_geometry=40 add=38 test_shared=38 test_kill=36 install_make=36 test_frame_glass=35
-  install=31 schema=31 test_valid_spirv=33 figures=32 folder=29 test_frame_meshes=29 test_layout_claims=29 test_sky_gloss=28 special=28 test_frame_soft=28 options=27
-  test_frame=27 test_reflection=26 test_scene_pictures=26 test_displacement=25 test_equiv=25 test_frame_voxel_fine=24 test_frame_voxels=24 view=22 order=20 subproject=55 test_growth=20
-  fuzz_scene_seeds=19 test_reference_pictures=19 test_frame_indirect=19 test_frame_traced=18 test_stack=18 test_frame_calls=18 test_frame_bisection=17
-  test_frame_silhouette=17 test_explain=16 test_stages=16 test_slope=16 test_frame_many=16 test_memory=15 test_sky_light=15 test_frame_culled=15 names=15 test_reserved=15
-  test_measure=15 test_function=14 test_frame_feedback=14 test_frame_volume_cells=14 test_emit=13 package=13 pages=13 test_stress=12 test_layout=12)
+set(LONG test_value=140 install_make=101 test_frame_displacement=82 add=81 test_valid=80 pictures=80 batch=78 install=66 test_host=60 figures=57
+  subproject=55 test_kill_failure=54 test_mended=50 test_frame_cast=50 test_frame_cast_lists=50 command_line=46 test_statistics_cells=43
+  test_frame_geometry=43 test_frame_calls=41 test_frame_radiance=40 test_shared=38 test_sky_gloss=36 test_frame_glass=35 test_scene_pictures=34
+  schema=33 test_valid_spirv=33 test_frame_exact=31 test_frame=30 test_frame_meshes=29 test_layout_claims=29 test_frame_soft=28 test_kill=26
+  package=26 links=25 test_frame_silhouette_change=25 test_frame_memory=25 test_frame_recount=25 special=23 test_frame_culled=23 view=22
+  test_frame_exact_cases=22 test_frame_voxel_fine=21 order=21 fuzz_scene_seeds=21 test_growth=20 test_frame_indirect=20 test_frame_traced=20
+  test_sky_light=20 test_frame_voxels=19 test_reference_pictures=19 test_frame_far=19 test_frame_samples=19 test_reflection=18 test_stack=18
+  test_layout=18 test_frame_bisection=17 test_frame_silhouette=17 test_frame_cycles=17 folder=16 test_stages=16 test_slope=16 test_frame_many=16
+  test_tiles=16 test_memory=15 names=15 test_reserved=15 test_emit=15 test_equiv=14 test_function=14 test_frame_volume_cells=14 test_frame_tools=14
+  test_preview=14 test_frame_change=14 test_explain=12 pages=12 test_principled_diffuse=12 test_voxel_ray=12 test_displacement=11 test_measure=11
+  test_principled=11 test_exact_lists=11 test_tone=11 options=10 test_frame_feedback=10 test_stress=10 test_frame_edge=10 test_normal=10
+  test_tiles_indirect=10 test_frame_indirect_bent=10 test_frame_sheet=10 layers=10)
 foreach(pair ${LONG})
   string(REPLACE "=" ";" pair ${pair})
   list(GET pair 0 name)

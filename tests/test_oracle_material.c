@@ -302,6 +302,32 @@ static void test_sky(void **state)
     build_free(&b);
 }
 
+/* An oracle remembers the sky that it was asked for last: others, by any one of their numbers, are themselves, in whatever order. */
+static void test_skies_in_turn(void **state)
+{
+    (void)state;
+    enum { SKIES = 4, ASKED = 2 * SKIES };
+    Builder b = {0};
+    Node *skies[SKIES];
+    for (int i = 0; i < SKIES; i++)
+        skies[i] = build_node(&b, KIND_SunSkyLight);
+    build_set(skies[1], P_SunSkyLight_radianceFactor, 2);
+    build_set(skies[2], P_SunSkyLight_turbidity, 9);
+    build_set3(skies[3], P_SunSkyLight_sun, 1, -2, .5);
+    const Surface up = at_xyz(1, 2, 3);
+    Oracle *oracle = oracle_open(&b.graph, &groimp);
+    for (int i = 0; i < ASKED; i++) {
+        const Node *sky = skies[i * 3 % SKIES];
+        const SlotValues alone = slots_at(&b, sky, &up);
+        SlotValues asked, other = slots_at(&b, skies[(i * 3 + 1) % SKIES], &up);
+        oracle_material(oracle, sky, &up, &asked);
+        assert_memory_equal(asked.lane[SLOT_emissive], alone.lane[SLOT_emissive], 3 * sizeof(double));
+        assert_memory_not_equal(asked.lane[SLOT_emissive], other.lane[SLOT_emissive], 3 * sizeof(double));
+    }
+    oracle_close(oracle);
+    build_free(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -317,6 +343,7 @@ int main(void)
         cmocka_unit_test(test_mix),
         cmocka_unit_test(test_algorithm_switch),
         cmocka_unit_test(test_sky),
+        cmocka_unit_test(test_skies_in_turn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,6 @@
 #include "tests/value/draw.h"
 #include "tests/value/rounding.h"
 #include "tests/value/sampler.h"
-#include "tests/value/share.h"
 #include "tests/value/verdicts.h"
 #include "tests/value/ways.h"
 #include "tests/value/workers.h"
@@ -23,7 +22,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { NOISES = REFERENCE_NOISE_COUNT, SHARES = 6 };
+enum { NOISES = REFERENCE_NOISE_COUNT };
 static const double SHARP = 1e-3;
 
 /* What all workers share. */
@@ -51,7 +50,7 @@ typedef struct {
 /* One material of a document: the oracle's values are made when they are first needed. */
 typedef struct {
     Document *document;
-    int material;
+    int number, material; /* the document's among all, and in it */
     Oracle *oracles[NOISES];
     Hull *hulls[NOISES][CHOICE_COUNT][2]; /* by noise, derivatives and side */
     Hull *sampled[2];                     /* by side, where the driver samples pictures */
@@ -162,12 +161,9 @@ static double miss_of(const Case *c, const DrawnNumber *drawn, int *excused)
 /* The worst lane of all points against the oracle; one fault a draw. */
 static void compare(Worker *w, const Case *c, bool front, const float *rgba)
 {
-    Choice choice = c->way->choice;
-    Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
-    ReferenceNoise noise = job_noise(basis, c->way->target);
-    Choice derivatives = choice_table[choice].axis == AXIS_derivatives ? choice : CHOICE_derivatives_auto;
-    const Hull *hulls = way_samples(c->way, c->subjects) ? sampled_hulls_of(w, c->subject, front)
-                                                         : hulls_of(w, c->subject, noise, derivatives, front);
+    const Hull *hulls = way_samples(c->way, c->subjects)
+                            ? sampled_hulls_of(w, c->subject, front)
+                            : hulls_of(w, c->subject, way_noise(c->way), way_derivatives(c->way), front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0, excused = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++) {
@@ -284,17 +280,17 @@ static void check_way(Worker *w, const Case *c)
     atomic_fetch_add(&w->run->programs, 1);
 }
 
-static void check_material(Worker *w, Document *document, int material, bool changed)
+static void check_material(Worker *w, Subject subject, bool changed)
 {
-    Subject subject = {.document = document, .material = material};
+    const Document *document = subject.document;
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         Subjects subjects;
-        subjects_of(document->graph->materials[material].node, (Slot)slot, &subjects);
+        subjects_of(document->graph->materials[subject.material].node, (Slot)slot, &subjects);
         for (int i = 0; i < way_count; i++) {
             const Way *way = &way_table[i];
             const int governing = subject_governing(&subjects, way->choice);
             const double bound = way_bound(way, document, governing);
-            if (share_takes(slot + i, SHARES) && way_matters(way, &subjects))
+            if (way_taken(way, (Slot)slot, subject.number + subject.material) && way_matters(way, &subjects))
                 check_way(w, &(Case){&subject, (Slot)slot, way, &subjects, governing, bound, changed});
         }
     }
@@ -315,8 +311,9 @@ static void change_uniforms(Document *document)
     }
 }
 
-static void check_document(Worker *w, const char *path)
+static void check_document(Worker *w, int number)
 {
+    const char *path = w->run->documents.paths[number];
     Document document;
     bool good = document_open(&document, path);
     if (!good && document_is_library(&document)) {
@@ -329,11 +326,11 @@ static void check_document(Worker *w, const char *path)
         return;
     }
     for (int i = 0; i < document.graph->material_count; i++)
-        check_material(w, &document, i, false);
+        check_material(w, (Subject){.document = &document, .number = number, .material = i}, false);
     if (document.graph->uniform_count) {
         change_uniforms(&document);
         for (int i = 0; i < document.graph->material_count; i++)
-            check_material(w, &document, i, true);
+            check_material(w, (Subject){.document = &document, .number = number, .material = i}, true);
     }
     document_close(&document);
 }
@@ -354,7 +351,7 @@ static void *work(void *user)
     for (int i; (i = atomic_fetch_add(&run->next, 1)) < run->documents.count;) {
         const char *only = getenv("VALUE_ONLY");
         if (!only || strstr(run->documents.paths[i], only))
-            check_document(w, run->documents.paths[i]);
+            check_document(w, i);
     }
     drawer_close(&w->core);
     drawer_close(&w->compat);

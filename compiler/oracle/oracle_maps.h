@@ -31,6 +31,14 @@ typedef struct {
     double m[2][2];
 } SlopeTurn;
 
+/* Of a SunSkyLight's numbers, sky_coefficients: the scaled zenith, A to E, the unit vector to the sun. An integral is in them. */
+enum { SKY_ROW_ZENITH, SKY_ROW_A, SKY_ROW_SUN = SKY_ROW_A + 5, SKY_ROW_COUNT };
+typedef struct {
+    bool known;
+    double numbers[5]; /* the sun, turbidity, radianceFactor */
+    double rows[SKY_ROW_COUNT][3];
+} OracleSky;
+
 struct Oracle {
     Arena arena;
     const Graph *graph;
@@ -43,6 +51,7 @@ struct Oracle {
     size_t turn_room;
     Memo *memos; /* by depth of environments */
     size_t memo_count, memo_room;
+    OracleSky sky;        /* the last one */
     Choice derivatives;   /* how BumpMap finds slopes */
     double behind, ahead; /* the steps that those of what is computed are taken over */
     bool judges, rough;   /* whether it is asked if heights are smooth there; whether some were not */

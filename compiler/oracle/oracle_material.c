@@ -131,19 +131,30 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
 
 /* Arguments of skyRadiance: the view direction (of any length), the sun's, zenith over F(0, theta of the sun), and A to E. */
 enum { SKY_VIEW, SKY_SUN, SKY_ZENITH, SKY_A, SKY_ARGUMENTS = SKY_A + 5 };
-/* The rows of sky_coefficients: the scaled zenith, A to E, the unit vector to the sun. */
-enum { ROW_ZENITH, ROW_A, ROW_SUN = ROW_A + 5, ROW_COUNT };
+
+/* The rows of the sky with these numbers, which are mostly those of the point before. */
+static const OracleSky *sky_of(Oracle *oracle, const double numbers[5])
+{
+    OracleSky *sky = &oracle->sky;
+    if (!sky->known || memcmp(sky->numbers, numbers, sizeof sky->numbers) != 0) {
+        memcpy(sky->numbers, numbers, sizeof sky->numbers);
+        sky_coefficients(numbers, numbers[3], numbers[4], sky->rows);
+        sky->known = true;
+    }
+    return sky;
+}
 
 void oracle_SunSkyLight(Environment *environment, const Node *material, SlotValues *result)
 {
-    double sun[3], row[ROW_COUNT][3], args[SKY_ARGUMENTS][3];
-    oracle_number3(material, P_SunSkyLight_sun, sun);
-    sky_coefficients(sun, oracle_number(material, P_SunSkyLight_turbidity),
-                     oracle_number(material, P_SunSkyLight_radianceFactor), row);
+    double numbers[5], args[SKY_ARGUMENTS][3];
+    oracle_number3(material, P_SunSkyLight_sun, numbers);
+    numbers[3] = oracle_number(material, P_SunSkyLight_turbidity);
+    numbers[4] = oracle_number(material, P_SunSkyLight_radianceFactor);
+    const OracleSky *sky = sky_of(environment->oracle, numbers);
     memcpy(args[SKY_VIEW], &environment->surface->root[channel_id(GROUP_X, 0)], sizeof args[SKY_VIEW]);
-    memcpy(args[SKY_SUN], row[ROW_SUN], sizeof row[ROW_SUN]);
-    memcpy(args[SKY_ZENITH], row[ROW_ZENITH], sizeof row[ROW_ZENITH]);
-    memcpy(args[SKY_A], row[ROW_A], 5 * sizeof row[ROW_A]);
+    memcpy(args[SKY_SUN], sky->rows[SKY_ROW_SUN], sizeof sky->rows[SKY_ROW_SUN]);
+    memcpy(args[SKY_ZENITH], sky->rows[SKY_ROW_ZENITH], sizeof sky->rows[SKY_ROW_ZENITH]);
+    memcpy(args[SKY_A], sky->rows[SKY_ROW_A], 5 * sizeof sky->rows[SKY_ROW_A]);
     oracle_call(environment, FN_skyRadiance, &args[0][0], result->lane[SLOT_emissive]);
 }
 

@@ -1,4 +1,5 @@
 #include "tests/value/ways.h"
+#include "tests/value/share.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -61,6 +62,26 @@ bool way_matters(const Way *way, const Subjects *subjects)
     if (choice_table[choice].axis == AXIS_noise)
         return subjects_noise(subjects);
     return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap] || subjects->displaced;
+}
+
+ReferenceNoise way_noise(const Way *way)
+{
+    return job_noise(choice_table[way->choice].axis == AXIS_noise ? way->choice : CHOICE_noise_lattice, way->target);
+}
+
+Choice way_derivatives(const Way *way)
+{
+    return choice_table[way->choice].axis == AXIS_derivatives ? way->choice : CHOICE_derivatives_auto;
+}
+
+/* The oracle answers for all slots at once, which takes most of the time. So the ways with one of its other noises or derivatives are in one
+ * share of a material, all slots of them; those by the plain oracle, which every share needs, are spread. */
+bool way_taken(const Way *way, Slot slot, int number)
+{
+    enum { SHARES = 6 };
+    const int noise = (int)way_noise(way), derivatives = (int)way_derivatives(way) - CHOICE_derivatives_auto;
+    const bool plain = noise == REFERENCE_LATTICE && !derivatives;
+    return share_takes(plain ? (int)slot + (int)(way - way_table) : number + noise + 3 * derivatives, SHARES);
 }
 
 bool way_samples(const Way *way, const Subjects *subjects)

@@ -20,6 +20,11 @@ const char *way_name(const Way *way, bool front, char text[64]);
 void way_options(const Way *way, Slot slot, MatcOptions *options);
 /* Whether its choice can change what the subjects make. */
 bool way_matters(const Way *way, const Subjects *subjects);
+/* What the oracle answers it by. */
+ReferenceNoise way_noise(const Way *way);
+Choice way_derivatives(const Way *way);
+/* Whether it belongs to this commit's share of the slots of a material with that number. */
+bool way_taken(const Way *way, Slot slot, int number);
 /* How far a value may lie outside of its hull, in units of max(1, |oracle|). */
 double way_bound(const Way *way, const Document *document, int governing);
 /* Whether the driver's sampler takes part, whose pictures are those of sampler.h. */
