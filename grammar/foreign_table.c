@@ -6,6 +6,9 @@ const ForeignRow foreign_table[] = {
 #define FOREIGN_MAP(name, here)         {FOREIGN_MAP, KIND_COUNT, #name, here},
 #define FOREIGN_MATERIAL(name, here)    {FOREIGN_MATERIAL, KIND_COUNT, #name, here},
 #define FOREIGN_PARAM(kind, name, here) {FOREIGN_PARAM, KIND_##kind, #name, here},
+#define FOREIGN_KEY(name, here)         {FOREIGN_KEY, KIND_COUNT, #name, here},
+#define FOREIGN_SCENE(name, here)       {FOREIGN_SCENE, KIND_COUNT, #name, here},
+#define FOREIGN_PLACE(name, here)       {FOREIGN_PLACE, KIND_COUNT, #name, here},
 #include "foreign_kinds.def"
 };
 const int foreign_count = sizeof foreign_table / sizeof *foreign_table;

@@ -3,7 +3,7 @@
 #define MATC_FOREIGN_TABLE_H
 #include "tables.h"
 
-typedef enum { FOREIGN_MAP, FOREIGN_MATERIAL, FOREIGN_PARAM } ForeignGroup;
+typedef enum { FOREIGN_MAP, FOREIGN_MATERIAL, FOREIGN_PARAM, FOREIGN_KEY, FOREIGN_SCENE, FOREIGN_PLACE } ForeignGroup;
 
 typedef struct {
     ForeignGroup group;

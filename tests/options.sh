@@ -82,6 +82,38 @@ check "finds its own" test "$valid" -gt 0
 check "and the first again" status 0 $fast -d "$work/batch" --cache "$work/cache" $example
 check "its own" test "$(hits)" -gt "$valid"
 
+# -- parameters of a definition in its formulas: numbers, colours and maps; a built-in value, a local and a name of `with:` hide them
+
+cat >"$work/scoped.yaml" <<'YAML'
+defs:
+  direct: { params: { k: 1, tint: "#f00" }, map: Expression, is: tint * k * u }
+  with: { params: { k: 1 }, map: Expression, is: k * v, with: { k: 7 } }
+  local: { params: { k: 1 }, map: Expression, is: k = 2; k * v }
+  hidden: { params: { v: 9 }, map: Expression, is: v }
+  within: { params: { rows: 2, m: { map: Gradient } }, map: Mix, a: "= rows * u", b: "= m", amount: "= .5 / rows * 2" }
+  known: { params: { rows: 2 }, map: UVTransform, scaleU: "= rows * 3", input: null }
+  outer: { params: { k: 5 }, map: Expression, is: inner, with: { inner: { ref: direct, k: { param: k } } } }
+material: Phong
+diffuse: { ref: direct, k: 3 }
+specular: { ref: with, k: 3 }
+emissive: { ref: local, k: 3 }
+ambient: { ref: hidden, v: 3 }
+transparency: { ref: within, rows: 4, m: 0 }
+diffuseTransparency: { ref: outer, k: 2 }
+YAML
+slot() { sed -n "s/^$1 //p" "$work/stdout"; }
+check "parameters in formulas" status 0 "$matc" --eval "u=0.25 v=0.5" "$work/scoped.yaml"
+check "of an Expression" test "$(slot diffuse)" = "0.75 0.0 0.0"
+check "hidden by with:" test "$(slot specular | cut -d' ' -f1)" = 3.5
+check "hidden by a local" test "$(slot emissive | cut -d' ' -f1)" = 1.0
+check "hidden by a built-in value" test "$(slot ambient | cut -d' ' -f1)" = 0.5
+printf 'defs: { d: { params: { rows: 2 }, map: Mix, a: "= rows * u", b: 0, amount: "= rows / 8" } }\nmaterial: Phong\n' >"$work/mixed.yaml"
+printf 'diffuse: { ref: d, rows: 4 }\nspecular: { ref: d }\nemissive: { map: Checker, color1: { ref: d, rows: "#00f" } }\n' >>"$work/mixed.yaml"
+check "an argument of another type" status 1 "$matc" --eval "u=0.25" "$work/mixed.yaml"
+sed -i '/emissive/s/rows: .*/rows: 1 } }/; s/emissive.*/emissive: { ref: d, rows: 1 }/' "$work/mixed.yaml"
+check "arguments in shorthands" status 0 "$matc" --eval "u=0.25" "$work/mixed.yaml"
+check "each use has its own" test "$(slot diffuse | cut -d' ' -f1) $(slot specular | cut -d' ' -f1) $(slot emissive | cut -d' ' -f1)" = "0.5 0.375 0.21875"
+
 # -- what would have no effect, and what could not be read or written, is said, by its name
 
 for useless in "-MF $work/x.d" "-MT x" "--cache $work/useless" "--cache-limit=4"; do

@@ -121,6 +121,9 @@ static void operators_bind_as_in_mathematics(void **state)
     is_near("-three.z", -3);
     is_near("three.xy.y * 2", 4);
     is_near("p.zyx.x", 3);
+    is_near("[5, 6, 7].uvw.z", 7);
+    is_near("[5, 6, 7].wv.x", 7);
+    is_near("[5, 6, 7, 8].w", 8);
     is_near("vec3(uv, 7).z", 7);
     is_near("vec3(2).z", 2);
     is_near("vec4(p, 1).w", 1);
@@ -193,7 +196,7 @@ static void faults_are_told(void **state)
         {"fbm(uv, 3)", 1, DIAG_formula_argument, 0},
         {"u $ v", 2, DIAG_formula_other, 2},
         {"#12 + u", 1, DIAG_formula_other, 0},
-        {"1e999", 2, DIAG_formula_other, 0},
+        {"1e999", 1, DIAG_formula_other, 0},
         {"qq + snn(ww) * two.z", 4, DIAG_formula_no_function, 5},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

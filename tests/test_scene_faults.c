@@ -48,7 +48,19 @@ static void faults(void **state)
         {RED "objects: { object: Sphere }\n", "2:10: error: objects wants a list, not an object"},
         {RED "objects: [Sphere]\n",
          "2:11: error: this wants the key `object:`, and the object is one of Group, Scatter, Instance, Sphere, "
-         "Box, Cylinder, Cone, Parallelogram, Plane, Mesh"},
+         "Box, Cylinder, Cone, Parallelogram, Plane, Mesh: it is written `{ object: Sphere }`"},
+        {RED "objects: [{ object: Cube, material: red }]\n", "2:21: error: no object is called 'Cube'; here it is Box"},
+        {RED "objects: [{ object: Box, position: [0, 0, 1], material: red }]\n",
+         "2:26: error: Box has no parameter 'position'; here it is transform: { translation: [x, y, z] }"},
+        {RED "lights: [{ light: Sun }]\nobjects: []\n",
+         "2:19: error: no light is called 'Sun'; here it is Directional"},
+        {RED "objects: []\ntoneMapping: Filmic\n",
+         "3:14: error: this wants the key `toneMapping:`, and the toneMapping is one of Clamp, Filmic, Shoulder, "
+         "Exponential, "
+         "Linear, ReinhardDevlin, Drago: it is written `{ toneMapping: Filmic }`"},
+        {RED "objects: []\ncamera: { position: [0, 0, 3] }\n",
+         "3:9: error: this wants the key `camera:`, and the camera is one of Perspective, Orthographic: it is written "
+         "`{ camera: Perspective, ... }`"},
         {RED "objects: [{ Object: Sphere }]\n", "2:13: error: 'Object' is written 'object': names are case-sensitive"},
         {RED "objects: [{ object: Sphere, material: red, transform: { scale: [1, 0, 1] } }]\n",
          "2:55: error: the transformation makes it flat"},

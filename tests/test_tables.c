@@ -246,16 +246,32 @@ static bool is_param(Kind kind, const char *name, size_t size)
     return false;
 }
 
+/* A kind of scene.def, or a parameter of one. */
+static bool is_of_scene(const char *name, size_t size, bool kind)
+{
+    for (int i = 0; kind && i < SCENE_KIND_COUNT; i++)
+        if (strlen(scene_kind_table[i].name) == size && !strncmp(scene_kind_table[i].name, name, size))
+            return true;
+    for (int i = 0; !kind && i < SCENE_PARAM_COUNT; i++)
+        if (strlen(scene_param_table[i].param.name) == size && !strncmp(scene_param_table[i].param.name, name, size))
+            return true;
+    return false;
+}
+
 /* What a message says of another tool's name begins with a name that is ours, but for these words. */
 static void foreign_names_lead_to_ours(void **state)
 {
-    static const char *const others[] = {"a formula: '= ", "nothing: ", "bricks of the library: ", "the fourth number of diffuse"};
+    static const char *const others[] = {"a formula: '= ",          "nothing: ",
+                                         "a key of scenes, ",       "a key of definitions: ",
+                                         "bricks of the library: ", "the fourth number of diffuse"};
     (void)state;
     for (int i = 0; i < foreign_count; i++) {
         const ForeignRow *row = &foreign_table[i];
         const size_t size = strcspn(row->here, " ,:;");
-        bool ours = row->group == FOREIGN_PARAM ? is_param(row->kind, row->here, size)
-                                                : is_kind(row->here, size, row->group == FOREIGN_MATERIAL);
+        bool ours = row->group == FOREIGN_PARAM   ? is_param(row->kind, row->here, size)
+                    : row->group == FOREIGN_SCENE ? is_of_scene(row->here, size, true)
+                    : row->group == FOREIGN_PLACE ? is_of_scene(row->here, size, false)
+                                                  : is_kind(row->here, size, row->group == FOREIGN_MATERIAL);
         for (size_t k = 0; k < sizeof others / sizeof *others; k++)
             ours |= !strncmp(row->here, others[k], strlen(others[k]));
         if (!ours)

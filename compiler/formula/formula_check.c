@@ -27,6 +27,12 @@ static const char *width_text(int width)
     return width < 0 ? "something" : words[width];
 }
 
+static const char *lane_names(int width)
+{
+    static const char *const names[] = {"xyzw, rgba or uvw", "x, r or u", "xy, rg or uv", "xyz, rgb or uvw"};
+    return width < 0 || width == MOST_LANES ? names[0] : names[width];
+}
+
 static int fail(Check *c)
 {
     c->failed = true;
@@ -184,7 +190,8 @@ static int check_lanes(Check *c, const FormulaStep *step)
     for (int i = 0; i < step->width; i++)
         if (width < 1 || (step->row >> 2 * i & 3) >= width) {
             const char *letters = arena_string(c->session->arena, c->s->text + step->start, (size_t)size);
-            diag_add(c->session, span_of(c, step), DIAG_formula_lanes, letters + (*letters == '.'), width_text(width));
+            diag_add(c->session, span_of(c, step), DIAG_formula_lanes, letters + (*letters == '.'), width_text(width),
+                     lane_names(width));
             return fail(c);
         }
     return step->width;

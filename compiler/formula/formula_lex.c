@@ -67,13 +67,13 @@ static bool is_structure(char c)
     return c == '(' || c == ')' || c == ',' || c == '[' || c == ']' || c == ';' || c == '.' || c == '?' || c == ':';
 }
 
-/* "**", which other languages have for "^", is one, so that it is told as one. */
+/* "**", which other languages have for "^", and "//" are one, so that they are told as one. */
 static uint32_t symbol_end(const FormulaSource *s, uint32_t at, int *symbol)
 {
     const char c = s->text[at];
     if (is_structure(c))
         return at + 1;
-    if (formula_begins(s, at, "**"))
+    if (formula_begins(s, at, "**") || formula_begins(s, at, "//"))
         return at + 2;
     *symbol = symbol_begun(s->text + at);
     if (*symbol < symbol_count)
@@ -110,7 +110,7 @@ Token formula_token(const FormulaSource *s, uint32_t at)
         token.end = text_end(s, at);
     } else if ((token.end = symbol_end(s, at, &token.symbol)) > at) {
         const char symbol[] = {c, token.end > at + 1 ? s->text[at + 1] : 0};
-        const bool foreign = formula_mark(symbol) == formula_mark("**");
+        const bool foreign = formula_mark(symbol) == formula_mark("**") || formula_mark(symbol) == formula_mark("//");
         token.kind = foreign ? TOKEN_other : TOKEN_symbol;
         token.mark = foreign ? 0 : formula_mark(symbol);
     } else {

@@ -55,25 +55,6 @@ static void push_color(FormulaReader *r)
     formula_push(r, formula_add(r->session, r->f, step, lanes, (uint32_t)count));
 }
 
-void formula_say_other(FormulaReader *r)
-{
-    static const char *const meant[][2] = {
-        {"×", "; * is the product"},          {"·", "; * is the product"},
-        {"÷", "; / is the quotient"},         {"−", "; - is the minus sign"},
-        {"π", "; it is written pi"},          {"$", "; names have no mark"},
-        {"**", "; a power is a ^ b"},         {"#", "; formulas have no comments, YAML has them outside of texts"},
-        {"\"", "; this quote is not closed"}, {"'", "; this quote is not closed"}};
-    const char *hint = "";
-    for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
-        if (strlen(meant[i][0]) == formula_token_size(r->token) &&
-            !memcmp(meant[i][0], r->s->text + r->token.start, formula_token_size(r->token)))
-            hint = meant[i][1];
-    if (r->token.kind == TOKEN_text)
-        hint = "; attribute() alone takes texts";
-    r->faults++;
-    diag_add(r->session, formula_token_span(r), DIAG_formula_other, formula_token_text(r->s, r->token), hint);
-}
-
 static bool prefix(FormulaReader *r)
 {
     for (int i = r->token.symbol; i < symbol_count; i++)
@@ -92,6 +73,8 @@ bool formula_operand(FormulaReader *r)
     const Token token = r->token;
     if (prefix(r))
         return false;
+    if (formula_read_if(r))
+        return true;
     if (formula_is(r, "(") || formula_is(r, "[")) {
         formula_wait(r, (FormulaWait){formula_is(r, "(") ? WAIT_group : WAIT_list, level_none, 0, r->operand_count,
                                       token.start, token.end});
@@ -125,7 +108,11 @@ bool formula_operand(FormulaReader *r)
         break;
     case TOKEN_other:
         formula_say_other(r);
-        formula_next(r);
+        if (formula_is_large(r)) {
+            formula_push_fault(r);
+            break;
+        }
+        formula_pass_other(r);
         return false;
     default: /* it is left to whoever takes what is behind a value */
         r->faults++;

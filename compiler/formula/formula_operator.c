@@ -2,11 +2,12 @@
 #include "compiler/formula/formula_reader.h"
 #include <string.h>
 
-static int lane_of(char letter)
+/* By the set that all letters are of: w is the third behind a u or a v, else the fourth. */
+static int lane_of(const char *letters, char letter)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
-        if (strchr(sets[i], letter))
+        if (strspn(letters, sets[i]) == strlen(letters))
             return (int)(strchr(sets[i], letter) - sets[i]);
     return -1;
 }
@@ -30,11 +31,12 @@ static void read_lanes(FormulaReader *r)
     FormulaStep step = {.kind = FORMULA_lanes, .start = start, .end = r->token.end, .width = (int8_t)strlen(letters)};
     if (!*letters || r->token.start != start + 1 || !is_swizzle(letters)) {
         r->faults++;
-        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_lanes, letters, "a value");
+        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_lanes, letters, "a value",
+                 "xyzw, rgba or uvw");
         step = (FormulaStep){.kind = FORMULA_fault, .start = start, .end = start + 1};
     }
     for (int i = 0; step.kind == FORMULA_lanes && letters[i]; i++)
-        step.row |= (lane_of(letters[i]) << 2 * i);
+        step.row |= lane_of(letters, letters[i]) << 2 * i;
     if (r->token.kind == TOKEN_name)
         formula_next(r);
     formula_apply(r, step, 1);
@@ -52,7 +54,8 @@ static void read_index(FormulaReader *r)
         index.number >= FORMULA_MOST_LANES) {
         r->faults++;
         diag_add(r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes,
-                 arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)), "a value");
+                 arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)), "a value",
+                 "xyzw, rgba or uvw");
         step.kind = FORMULA_fault;
     } else {
         step.row = index.number;
@@ -179,6 +182,25 @@ static void say_no_operator(FormulaReader *r)
     }
 }
 
+/* A ';' within a bracket that has parts and is closed behind it: it stands where a ',' should. */
+static bool divides_arguments(const FormulaReader *r)
+{
+    size_t open = r->wait_count;
+    while (open > 0 && !formula_is_open(&r->waits[open - 1]))
+        open--;
+    if (!formula_is(r, ";") || !open || r->waits[open - 1].kind == WAIT_group)
+        return false;
+    int depth = 1;
+    for (Token t = r->token; depth > 0 && t.kind != TOKEN_end; t = formula_token(r->s, t.end)) {
+        const bool local = formula_token_is(&t, "=");
+        depth += formula_token_is(&t, "(") || formula_token_is(&t, "[");
+        depth -= formula_token_is(&t, ")") || formula_token_is(&t, "]");
+        if (local)
+            return false;
+    }
+    return depth == 0;
+}
+
 /* False: a value is wanted next. *ended: the value is whole. */
 bool formula_operator(FormulaReader *r, bool *ended)
 {
@@ -213,6 +235,13 @@ bool formula_operator(FormulaReader *r, bool *ended)
         read_colon(r);
         return false;
     }
+    if (divides_arguments(r)) {
+        r->faults++;
+        diag_add(r->session, formula_token_span(r), DIAG_formula_divides);
+        formula_reduce_to(r, level_none, true);
+        formula_next(r);
+        return false;
+    }
     if (r->token.kind == TOKEN_end || formula_is(r, ";")) {
         *ended = true;
         return true;
@@ -230,7 +259,7 @@ bool formula_operator(FormulaReader *r, bool *ended)
         formula_next(r);
     } else if (r->token.kind == TOKEN_other) {
         formula_say_other(r);
-        formula_next(r);
+        formula_pass_other(r);
         return true;
     } else {
         say_no_operator(r);

@@ -47,8 +47,17 @@ static inline const char *formula_word(const FormulaReader *r, Token token)
 }
 /* Says a fault of the token. */
 void formula_say(FormulaReader *r, DiagKind kind);
-/* The same of a character that no formula has. */
+/* The same of a character that no formula has, or of a number that no float holds. formula_other.c */
 void formula_say_other(FormulaReader *r);
+static inline bool formula_is_large(const FormulaReader *r)
+{
+    const char c = r->s->text[r->token.start];
+    return r->token.kind == TOKEN_other && (text_is_digit(c) || c == '.');
+}
+/* Goes on behind it; behind a comment of another language, at the next line. */
+void formula_pass_other(FormulaReader *r);
+/* Says that there is no `if c then a else b`, and stands for all of it. False: no such thing stands here. */
+bool formula_read_if(FormulaReader *r);
 
 void formula_push(FormulaReader *r, uint32_t step);
 void formula_push_step(FormulaReader *r, FormulaStep step);

@@ -14,6 +14,12 @@ bool mistake_key(Session *session, Span span, const char *text);
 bool mistake_keys(Session *session, const Tree *object);
 /* A text that is hexadecimal digits without the '#'. */
 bool mistake_hex(Resolver *r, const Tree *tree, const char *text);
+/* Numbers beside each other, without the brackets of a list. mistake_text.c */
+bool mistake_list(Resolver *r, const Tree *tree);
+/* A formula without its '=', or a picture's name. */
+bool mistake_formula(Resolver *r, const Tree *tree);
+/* The bare name of a param, or of the definition's parameter. */
+bool mistake_param(Resolver *r, const Tree *tree);
 /* The key that is written in another case; NULL if there is none. */
 const Member *mistake_case(const Tree *object, const char *key);
 /* "; here it is ImageMap": of a name that other tools have for a map, a material or a parameter of `kind` (foreign_kinds.def). NULL: of none. */

@@ -145,10 +145,43 @@ static bool is_open(const char *problem)
     return found;
 }
 
+/* The '#' of a colour that begins a comment in these bytes: behind a space, outside of quotes. NULL: there is none. */
+static const char *hash_within(const char *at, const char *end)
+{
+    char quote = 0;
+    for (const char *before = at; at < end; before = at++) {
+        if (*at == '#' && !quote && strchr(" \t[{,", *before) && strspn(at + 1, "0123456789abcdefABCDEF") >= 3)
+            return at;
+        if (*at == '#' && !quote && strchr(" \t\n", *before))
+            at += strcspn(at, "\r\n");
+        else if (quote ? *at == quote : (*at == '"' || *at == '\'') && strchr(" [{,:(=", *before))
+            quote = quote ? 0 : *at;
+    }
+    return NULL;
+}
+
+/* `{ color1: #ff0000, color2: red }`: what stands behind the '#' is lost, the brace that closes it too. */
+static bool say_hash(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+{
+    const Line above = line_above(source, line);
+    const char *from = source->text + fault->context < above.start ? source->text + fault->context : above.start;
+    const char *hash = hash_within(from, source->text + fault->at);
+    if (!hash)
+        return false;
+    const char *end = hash + 1 + strspn(hash + 1, "0123456789abcdefABCDEF");
+    diag_add(session, span_to(source, fault, hash, end), DIAG_hash_comment,
+             arena_string(session->arena, hash, (size_t)(end - hash)));
+    return true;
+}
+
 bool read_mistake(Session *session, const YamlFault *fault)
 {
     const Source *source = &session->sources[fault->file];
     const Line line = line_at(source, fault->at), context = line_at(source, fault->context);
+    const bool lacks = is_open(fault->problem) || !strcmp(fault->problem, "did not find expected node content");
+    const bool quoted = fault->context < source->size && strchr("'\"", source->text[fault->context]);
+    if (lacks && !quoted && say_hash(session, source, fault, &line))
+        return true;
     if (is_open(fault->problem) && strchr("{['\"", source->text[fault->context]))
         return say_open(session, source, fault, &line);
     if (say_tab(session, source, fault, &line))

@@ -71,7 +71,10 @@ static const char *param_name(const void *kind, int i) { return param_table[((co
 static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
     bool fault = false;
+    const char *outer = r->param;
+    r->param = row->name;
     const Node *node = row->type == PARAM_Map ? resolve_map(r, tree, &fault) : resolve_material(r, tree, &fault);
+    r->param = outer;
     *value = (Value){.kind = node ? VALUE_node : VALUE_none, .node = node};
     return !fault;
 }
@@ -112,6 +115,8 @@ static const char *near_param(Resolver *r, const KindRow *row, const char *key)
 {
     enum { MOST_LISTED = 12 }; /* more are no help within a message */
     const char *foreign = mistake_foreign(r->session, FOREIGN_PARAM, (Kind)(row - kind_table), key);
+    if (!foreign)
+        foreign = mistake_foreign(r->session, FOREIGN_KEY, KIND_COUNT, key);
     const NameChoice names = {param_name, row, row->count};
     if (foreign || row->count <= MOST_LISTED)
         return foreign ? foreign : diag_suggest_or_list(r->session, key, &names, "; it has ");
@@ -168,7 +173,9 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
         return NULL;
     const KindRow *row = &kind_table[kind];
     Value *params = ARENA_ARRAY(r->session->arena, Value, row->count);
+    const char *outer = r->param;
     bool fine = true;
+    r->param = NULL;
     for (int i = 0; i < row->count; i++)
         if (!tree_find(tree, param_table[row->first + i].name))
             params[i] = resolve_default(r, &param_table[row->first + i]);
@@ -182,6 +189,7 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     }
     if (kind == KIND_Expression)
         fine &= resolve_expression(r, tree, params);
+    r->param = outer;
     const Node of = {.kind = kind, .span = name->value->span, .params = params, .name = own_name(tree)};
     if (resolve_is_foreign(kind))
         return fine ? resolve_translate(r, of) : NULL;
@@ -225,9 +233,12 @@ static const Node *resolve_use(Resolver *r, Tree *use, const Member *def, bool m
     Tree *tree = resolve_definition(r, def, use);
     if (!tree)
         return NULL;
+    const Member *outer = r->definition;
+    r->definition = def;
     def->value->open = true;
     const Node *node = material ? resolve_material(r, tree, &fault) : resolve_map(r, tree, &fault);
     def->value->open = false;
+    r->definition = outer;
     if (fault)
         resolve_say_use(r, def, use);
     return node;
@@ -264,7 +275,8 @@ static const Node *resolve_constant(Resolver *r, Tree *tree)
     Value value;
     if (resolve_is_formula(tree))
         return resolve_shorthand(r, tree);
-    if (mistake_map(r, tree) || !resolve_number(r, "a map", tree, (LaneCount){1, 4}, &value))
+    if (mistake_map(r, tree) || mistake_param(r, tree) ||
+        !resolve_number(r, r->param ? r->param : "a map", tree, (LaneCount){1, 4}, &value))
         return NULL;
     return resolve_make_constant(r, (Node){.span = tree->span, .name = own_name(tree)}, value);
 }

@@ -46,6 +46,8 @@ typedef struct {
     HashIndex expansion_index;
     bool overgrown;    /* there are too many of these, and that was said */
     size_t copied;     /* nodes of trees that were made for them */
+    const Member *definition; /* the one with parameters that is looked at; NULL: none */
+    const char *param;        /* the parameter whose constant is looked at; NULL: none */
     const char *owner; /* of the maps that are resolved: Node.owner */
     int depth, wave_depth; /* of what is being resolved: maps and references within one another, and waves */
 } Resolver;
@@ -110,7 +112,10 @@ bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *par
 /* Reads a formula that stands where numbers are wanted. Its value must be known here; it has one lane, or as many as the numbers may have. */
 bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes, Value *value);
 /* A text that begins with '='. */
-bool resolve_is_formula(const Tree *tree);
+static inline bool resolve_is_formula(const Tree *tree)
+{
+    return tree->kind == TREE_scalar && tree->count > 0 && tree->text[0] == '=';
+}
 
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
 bool resolve_is_name(const char *name);

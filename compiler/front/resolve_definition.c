@@ -12,6 +12,7 @@
  *
  * A fault is said where its text stands, and a note shows the other place: the use of what is wrong in the definition, the parameter of what
  * is wrong in an argument. */
+#include "compiler/base/text.h"
 #include "compiler/front/resolve_definition.h"
 #include "compiler/front/resolve_parameter.h"
 #include <stdlib.h>
@@ -116,6 +117,73 @@ static bool read_arguments(Copy *c, const Tree *use)
 
 static Tree *copy_of(Copy *c, Tree *tree);
 
+/* The end of the name that begins there. */
+static uint32_t name_end(const Tree *text, uint32_t at)
+{
+    while (at < text->count && (text_is_alphanumeric(text->text[at]) || text->text[at] == '_'))
+        at++;
+    return at;
+}
+
+static bool is_for_formulas(ParameterType type)
+{
+    return type == PARAMETER_number || type == PARAMETER_color || type == PARAMETER_map;
+}
+
+/* The parameters that a formula names: *named is true for those. Whether there are any. */
+static bool find_named(Copy *c, const Tree *formula, bool named[LIMIT_DEFINITION_PARAMS])
+{
+    bool any = false;
+    for (uint32_t at = 0, end; at < formula->count; at = (end > at) ? end : at + 1) {
+        char name[LIMIT_NAME + 1] = {0};
+        end = name_end(formula, at);
+        if (end == at || end - at > LIMIT_NAME)
+            continue;
+        memcpy(name, formula->text + at, end - at);
+        const int found = find_parameter(c, name);
+        if (found < 0 || !is_for_formulas(c->parameters[found].type))
+            continue;
+        any = named[found] = true;
+    }
+    c->r->copied += formula->count / sizeof(Tree); /* a long text is as much work as many values */
+    return any;
+}
+
+/* A formula with the arguments of the parameters that it names; itself where it names none. */
+static Tree *copy_formula(Copy *c, Tree *formula)
+{
+    Arena *arena = c->r->session->arena;
+    bool named[LIMIT_DEFINITION_PARAMS] = {0};
+    if (!c->count || c->r->copied > LIMIT_COPIES || !find_named(c, formula, named))
+        return formula;
+    Member *members = ARENA_ARRAY(arena, Member, c->count);
+    size_t count = 0;
+    for (size_t i = 0; i < c->count; i++)
+        if (named[i])
+            members[count++] = (Member){.key = c->parameters[i].member->key,
+                                        .size = c->parameters[i].member->size,
+                                        .value = c->arguments[i],
+                                        .span = c->parameters[i].member->span};
+    Tree *arguments = ARENA_NEW(arena, Tree);
+    *arguments = (Tree){.kind = TREE_object, .span = formula->span};
+    tree_set_members(c->r->session, arguments, members, count);
+    ScopedTree *copy = ARENA_NEW(arena, ScopedTree);
+    *copy = (ScopedTree){*formula, arguments};
+    copy->tree.scoped = true;
+    copy->tree.made = MADE_nothing;
+    copy->tree.failed = copy->tree.shared = false;
+    copy->tree.name = NULL;
+    c->r->copied += 1 + count;
+    return &copy->tree;
+}
+
+/* What stands for a member: `is:` has a formula without its sign. */
+static Tree *copy_member(Copy *c, const Member *member)
+{
+    Tree *tree = member->value;
+    return tree->kind == TREE_scalar && !strcmp(member->key, "is") ? copy_formula(c, tree) : copy_of(c, tree);
+}
+
 /* The copy of a list's or object's parts; the tree itself where they are as they were. */
 static Tree *copy_parts(Copy *c, Tree *tree)
 {
@@ -125,7 +193,7 @@ static Tree *copy_parts(Copy *c, Tree *tree)
     bool changed = false;
     for (uint32_t i = 0; i < tree->count; i++) {
         Tree *part = list ? tree->items[i] : tree->members[i].value;
-        parts[i] = copy_of(c, part);
+        parts[i] = list ? copy_of(c, part) : copy_member(c, &tree->members[i]);
         changed |= parts[i] != part;
     }
     if (!changed)
@@ -177,7 +245,7 @@ static Tree *copy_shared(Copy *c, Tree *tree)
 static Tree *copy_of(Copy *c, Tree *tree)
 {
     if (tree->kind == TREE_scalar)
-        return tree;
+        return resolve_is_formula(tree) ? copy_formula(c, tree) : tree;
     const int at = tree->kind == TREE_object ? argument_of(c, tree) : -1;
     if (at >= 0)
         return c->arguments[at];
@@ -227,7 +295,7 @@ static Tree *expand(Copy *c)
         members[count] = definition->members[i];
         if (!strcmp(members[count].key, "params") || !strcmp(members[count].key, "doc"))
             continue;
-        members[count].value = copy_of(c, members[count].value);
+        members[count].value = copy_member(c, &members[count]);
         count++;
     }
     Tree *tree = ARENA_NEW(session->arena, Tree);

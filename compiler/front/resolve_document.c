@@ -142,7 +142,9 @@ static void check_def(Resolver *r, const Member *def)
         return;
     if (tree->made != MADE_node && !tree->failed) {
         def->value->open = tree != def->value;
+        r->definition = def->value->open ? def : NULL;
         resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false, &fault);
+        r->definition = NULL;
         def->value->open = false;
     }
 }

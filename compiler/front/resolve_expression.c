@@ -1,5 +1,6 @@
 /* Formulas of a document: their text, the maps that they name, and how many lanes a map has in them. */
 #include "compiler/formula/formula.h"
+#include "compiler/base/text.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/resolve_definition.h"
 #include <float.h>
@@ -10,6 +11,7 @@
 typedef struct {
     Resolver *r;
     const Tree *text, *with; /* with: NULL for none */
+    const Tree *arguments;   /* of the definition's parameters, for those that the text names; NULL for none */
     uint32_t skipped;        /* bytes of the text before the formula */
     Item *items;
     size_t count, room;
@@ -28,6 +30,12 @@ static const Member *definition(const Resolver *r, const char *name)
     for (size_t i = 0; i < r->def_count && !found; i++)
         found = tree_find(r->defs[i], name);
     return found;
+}
+
+/* What a definition was given for its parameters. */
+static const Tree *arguments_of(const Tree *text)
+{
+    return text->scoped ? ((const ScopedTree *)(const void *)text)->arguments : NULL;
 }
 
 /* Names of `with:`, then of definitions. */
@@ -65,11 +73,27 @@ static Tree *tree_of(Inputs *in, const Member *member)
     return tree;
 }
 
+/* A param is read by way of `with:`; what a file would define that could not be read is not asked for. */
+static int say_unknown(Inputs *in, const char *name, const FormulaStep *step)
+{
+    Resolver *r = in->r;
+    Text hint = text_new(r->session->arena);
+    if (r->lacks_file)
+        return FORMULA_SAID;
+    if (names_find(&r->uniform_names, name) < 0)
+        return FORMULA_UNKNOWN;
+    text_format(&hint, "; a formula reads the param by `with: { %s: { param: %s, default: ... } }`", name, name);
+    diag_add(r->session, place(in, step->start, step->end), DIAG_formula_unknown, name, hint.at);
+    return FORMULA_SAID;
+}
+
 static int find_input(void *user, const char *name, const FormulaStep *step, int *width)
 {
     Inputs *in = user;
     Resolver *r = in->r;
     const Member *member = in->with ? tree_find(in->with, name) : NULL;
+    if (!member && in->arguments)
+        member = tree_find(in->arguments, name);
     bool fault = false;
     int number = names_find(&in->names, name);
     if (number >= 0) {
@@ -77,7 +101,7 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
         return number;
     }
     if (!member && !(member = definition(r, name)))
-        return FORMULA_UNKNOWN;
+        return say_unknown(in, name, step);
     if (member->value->open) {
         diag_add(r->session, place(in, step->start, step->end), DIAG_cycle, name);
         return FORMULA_SAID;
@@ -119,11 +143,6 @@ static int find_attribute(void *user, const FormulaAttribute *given)
     return names_add(r->session->arena, &r->attribute_names, attribute->name);
 }
 
-bool resolve_is_formula(const Tree *tree)
-{
-    return tree->kind == TREE_scalar && tree->count > 0 && tree->text[0] == '=';
-}
-
 static void keep(Resolver *r, const Inputs *in, const Formula *formula, Value *params)
 {
     const int first = kind_table[KIND_Expression].first;
@@ -134,6 +153,18 @@ static void keep(Resolver *r, const Inputs *in, const Formula *formula, Value *p
     if (in->count)
         params[P_Expression_with - first] =
             (Value){.kind = VALUE_items, .items = items, .given = true, .span = in->text->span};
+}
+
+/* `= mix(red, #00ff00, u)`, without quotes: YAML ends it before the '#'. */
+static void say_hash(const Inputs *in)
+{
+    const Span span = in->text->span;
+    const Source *source = &in->r->session->sources[span.file];
+    uint32_t at = span.end;
+    while (at < source->size && (source->text[at] == ' ' || source->text[at] == '\t'))
+        at++;
+    if (in->text->plain && at > span.end && at < source->size && source->text[at] == '#')
+        diag_add(in->r->session, (Span){at, at + 1, span.file}, DIAG_hash_formula);
 }
 
 static const Formula *read_formula(Inputs *in)
@@ -151,12 +182,15 @@ static const Formula *read_formula(Inputs *in)
         .attribute = find_attribute,
         .names = {name_of, in, name_count(in)},
     };
-    return formula_read(&source);
+    const Formula *formula = formula_read(&source);
+    if (!formula)
+        say_hash(in);
+    return formula;
 }
 
 bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params)
 {
-    Inputs in = {.r = r, .text = text, .with = with};
+    Inputs in = {.r = r, .text = text, .with = with, .arguments = arguments_of(text)};
     const Formula *formula = read_formula(&in);
     if (!formula)
         return false;
@@ -186,7 +220,7 @@ static const char *unknown_part(const Inputs *in, const Formula *formula)
 bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes, Value *value)
 {
     static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
-    Inputs in = {.r = r, .text = text};
+    Inputs in = {.r = r, .text = text, .arguments = arguments_of(text)};
     const Formula *formula = read_formula(&in);
     if (!formula)
         return false;

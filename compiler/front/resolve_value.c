@@ -16,8 +16,20 @@ bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double 
     return false;
 }
 
+/* [0.5] where 0.5 would do. */
+static bool say_single(Resolver *r, const char *what, const Tree *list, LaneCount lanes)
+{
+    double number;
+    if (lanes.least > 1 || !tree_number(list->items[0], &number))
+        return false;
+    diag_add(r->session, list->span, DIAG_single_list, what, list->items[0]->text);
+    return true;
+}
+
 static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCount lanes, Value *value)
 {
+    if (tree->count == 1 && (mistake_list(r, tree->items[0]) || say_single(r, what, tree, lanes)))
+        return false;
     if (tree->count < 2 || (int)tree->count < lanes.least || (int)tree->count > lanes.most) {
         Text wanted = text_new(r->session->arena);
         if (lanes.most == 1)
@@ -139,7 +151,7 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
     if (lanes.most >= 3 && tree->kind == TREE_scalar && !tree->plain && strlen(tree->text) >= 6 &&
         mistake_hex(r, tree, tree->text))
         return false;
-    if (mistake_number(r, tree))
+    if (mistake_number(r, tree) || mistake_list(r, tree) || mistake_formula(r, tree))
         return false;
     if (tree->kind == TREE_scalar && tree->plain && tree->count && strchr("+-.0123456789", tree->text[0])) {
         diag_add(r->session, tree->span, DIAG_bad_number, tree->text);

@@ -30,6 +30,7 @@ struct Tree {
     bool shared;  /* an alias stands for it */
     bool failed;  /* resolve: has a fault that was reported */
     bool printed; /* tree_print has shown it */
+    bool scoped;  /* scalar: a ScopedTree */
     Span span;
     uint32_t count; /* items or members; bytes of a scalar */
     union {
@@ -44,6 +45,12 @@ struct Tree {
         const char *name; /* the author's, NULL for none: its key under `defs:`, else its anchor */
     };
 };
+
+/* A formula of a definition, and the arguments of those parameters that it names: members of an object. */
+typedef struct {
+    Tree tree;
+    const Tree *arguments;
+} ScopedTree;
 
 /* Text -> Tree, for YAML and JSON; NULL: see the diagnostics. `source` is an index into c->sources. */
 Tree *read_document(Session *session, uint32_t source);

@@ -76,12 +76,13 @@ static bool unknown_key(SceneReader *r, const SceneThing *thing, const Member *m
 {
     const SceneKindRow *row = row_of(thing);
     const NameChoice names = {param_name, row, row->count};
+    const char *foreign = mistake_foreign(r->session, FOREIGN_PLACE, KIND_COUNT, member->key);
     if (thing->kind == SCENE_Scene)
         diag_add(r->session, member->span, DIAG_unknown_top_key, member->key,
                  diag_suggest(r->session, member->key, param_name, row, row->count));
     else
         diag_add(r->session, member->span, DIAG_unknown_key, row->name, member->key,
-                 diag_suggest_or_list(r->session, member->key, &names, "; it has "));
+                 foreign ? foreign : diag_suggest_or_list(r->session, member->key, &names, "; it has "));
     return fail(r);
 }
 
@@ -104,6 +105,20 @@ static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const c
     return fine;
 }
 
+/* As it is to be written: `toneMapping: { toneMapping: Filmic }`. */
+static const char *written_kind(SceneReader *r, const Tree *tree, SceneSort sort)
+{
+    Text written = text_new(r->session->arena);
+    const char *name = scene_sort_table[sort].name;
+    int kind = 0;
+    while (kind < SCENE_KIND_COUNT && scene_kind_table[kind].sort != sort)
+        kind++;
+    const bool named = tree->kind == TREE_scalar && scene_kind_find(sort, tree->text) >= 0;
+    text_format(&written, "`{ %s: %s%s }`", name, named ? tree->text : scene_kind_table[kind].name,
+                tree->kind == TREE_object && tree->count ? ", ..." : "");
+    return written.at;
+}
+
 static bool missing_kind(SceneReader *r, const Tree *tree, SceneSort sort)
 {
     const char *name = scene_sort_table[sort].name;
@@ -112,7 +127,8 @@ static bool missing_kind(SceneReader *r, const Tree *tree, SceneSort sort)
         diag_add(r->session, other->span, DIAG_key_case, other->key, name);
     else
         diag_add(r->session, tree->span, DIAG_scene_kind, name, name,
-                 suggest_list(r->session->arena, &(NameChoice){kind_name, &sort, SCENE_KIND_COUNT}));
+                 suggest_list(r->session->arena, &(NameChoice){kind_name, &sort, SCENE_KIND_COUNT}),
+                 written_kind(r, tree, sort));
     return fail(r);
 }
 
@@ -133,8 +149,9 @@ static int find_kind(SceneReader *r, const Tree *tree, SceneSort sort)
     const int kind = scene_kind_find(sort, member->value->text);
     if (kind < 0) {
         const NameChoice names = {kind_name, &sort, SCENE_KIND_COUNT};
+        const char *foreign = mistake_foreign(r->session, FOREIGN_SCENE, KIND_COUNT, member->value->text);
         diag_add(r->session, member->value->span, DIAG_unknown_scene_kind, name, member->value->text,
-                 diag_suggest_or_list(r->session, member->value->text, &names, "; there are "));
+                 foreign ? foreign : diag_suggest_or_list(r->session, member->value->text, &names, "; there are "));
         fail(r);
     }
     return kind;

@@ -1,0 +1,132 @@
+/* What other languages write where a formula has something else: told once, with what to write, and passed over as a whole. */
+#include "compiler/formula/formula_reader.h"
+#include "compiler/base/text.h"
+#include <string.h>
+
+enum { LONGEST_CHOICE = 120 }; /* bytes of a choice that is written out */
+
+/* Bytes of the text; an end of 0: there is no such part. */
+typedef struct {
+    uint32_t start, end;
+} Part;
+
+/* if CONDITION then YES else NO, and what stands behind it. */
+typedef struct {
+    Part condition, yes, no;
+    Token behind;
+    bool bracketed, nested; /* the condition begins with a bracket; a part has an `if` of its own */
+} IfParts;
+
+static bool is_called(const FormulaReader *r, const Token *token, const char *word)
+{
+    return token->kind == TOKEN_name && formula_token_size(*token) == strlen(word) &&
+           formula_begins(r->s, token->start, word);
+}
+
+static bool begins_value(const Token *token)
+{
+    return token->kind == TOKEN_number || token->kind == TOKEN_color || token->kind == TOKEN_name ||
+           formula_token_is(token, "(");
+}
+
+/* Up to what ends the part of the formula in which it stands. */
+static IfParts find_parts(const FormulaReader *r)
+{
+    IfParts c = {.behind = formula_token(r->s, r->token.end)};
+    Part *part = &c.condition;
+    int depth = 0;
+    c.bracketed = formula_token_is(&c.behind, "(");
+    for (bool closed = false;; c.behind = formula_token(r->s, c.behind.end)) {
+        const Token *t = &c.behind;
+        const bool opens = formula_token_is(t, "(") || formula_token_is(t, "[");
+        const bool closes = formula_token_is(t, ")") || formula_token_is(t, "]");
+        if (t->kind == TOKEN_end || (!depth && (closes || formula_token_is(t, ";") || formula_token_is(t, ","))))
+            return c;
+        const bool yes = !depth && is_called(r, t, "then"), no = !depth && is_called(r, t, "else");
+        if (yes || no) {
+            part = yes ? &c.yes : &c.no;
+            continue;
+        }
+        if (closed && begins_value(t)) /* if (CONDITION) YES else NO */
+            part = &c.yes;
+        part->start = part->end ? part->start : t->start;
+        part->end = t->end;
+        depth += opens - closes;
+        closed = part == &c.condition && c.bracketed && closes && !depth;
+        c.nested |= is_called(r, t, "if");
+    }
+}
+
+/* The same as a formula has it. */
+static const char *choice_text(const FormulaReader *r, const IfParts *c)
+{
+    const uint32_t start = c->condition.start;
+    if (!c->condition.end || !c->yes.end || !c->no.end || c->nested || c->no.end - start > LONGEST_CHOICE ||
+        memchr(r->s->text + start, '\n', c->no.end - start))
+        return "condition ? value : value";
+    Text text = text_new(r->session->arena);
+    const Part parts[] = {c->condition, c->yes, c->no};
+    for (int i = 0; i < 3; i++)
+        text_format(&text, "%s%.*s",
+                    i == 0   ? ""
+                    : i == 1 ? " ? "
+                             : " : ",
+                    (int)(parts[i].end - parts[i].start), r->s->text + parts[i].start);
+    return text.at;
+}
+
+bool formula_read_if(FormulaReader *r)
+{
+    if (!is_called(r, &r->token, "if"))
+        return false;
+    const IfParts c = find_parts(r);
+    if (c.bracketed && !c.yes.end && !c.no.end) /* if(a, b, c), which is told as a function is */
+        return false;
+    r->faults++;
+    diag_add(r->session, formula_token_span(r), DIAG_formula_if, choice_text(r, &c));
+    formula_push_fault(r);
+    r->token = c.behind;
+    return true;
+}
+
+static bool is_comment(const FormulaReader *r)
+{
+    const uint32_t size = formula_token_size(r->token);
+    return (size == 2 && formula_begins(r->s, r->token.start, "//")) ||
+           (size == 1 && formula_begins(r->s, r->token.start, "#"));
+}
+
+void formula_pass_other(FormulaReader *r)
+{
+    uint32_t end = r->token.end;
+    for (const bool comment = is_comment(r); comment && end < r->s->size && r->s->text[end] != '\n';)
+        end++;
+    r->token = formula_token(r->s, end);
+}
+
+void formula_say_other(FormulaReader *r)
+{
+    static const char *const meant[][2] = {
+        {"×", "; * is the product"},
+        {"·", "; * is the product"},
+        {"÷", "; / is the quotient"},
+        {"−", "; - is the minus sign"},
+        {"π", "; it is written pi"},
+        {"$", "; names have no mark"},
+        {"**", "; a power is a ^ b"},
+        {"#", "; formulas have no comments, YAML has them outside of texts"},
+        {"\"", "; this quote is not closed"},
+        {"'", "; this quote is not closed"},
+        {"//", "; a quotient is a / b, a whole one floor(a / b), and formulas have no comments"}};
+    const char *hint = "";
+    for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
+        if (strlen(meant[i][0]) == formula_token_size(r->token) &&
+            !memcmp(meant[i][0], r->s->text + r->token.start, formula_token_size(r->token)))
+            hint = meant[i][1];
+    if (r->token.kind == TOKEN_text)
+        hint = "; attribute() alone takes texts";
+    if (formula_is_large(r))
+        hint = "; a float holds at most 3.4e38";
+    r->faults++;
+    diag_add(r->session, formula_token_span(r), DIAG_formula_other, formula_token_text(r->s, r->token), hint);
+}
