@@ -9,6 +9,7 @@
 #include "grammar/layout_tables.h"
 #include "compiler/matc.h"
 #include "grammar/scene_tables.h"
+#include "grammar/unit_table.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -295,6 +296,27 @@ static void foreign_names_are_not_ours(void **state)
     }
 }
 
+/* Defaults are usual, and what is unusual has two ends. */
+static void units_hold_defaults(void **state)
+{
+    (void)state;
+    int measured = 0;
+    for (int i = 0; i < PARAM_COUNT; i++) {
+        const UnitRow *unit = unit_of(i);
+        measured += unit != NULL;
+        if (!unit)
+            continue;
+        assert_true(isfinite(unit->low) == isfinite(unit->high) && unit->low < unit->high);
+        assert_true(param_table[i].init[0] >= unit->low && param_table[i].init[0] <= unit->high);
+        if (*unit->other)
+            assert_true(unit->factor > 0 && unit->factor < 1);
+    }
+    assert_true(measured > 30);
+    assert_true(unit_of(P_Principled_baseColor) == NULL);
+    assert_string_equal(unit_of(P_Principled_filmThickness)->name, "micrometres");
+    assert_true(fabs(unit_table[UNIT_radians].high - 2 * acos(-1)) < 1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -303,6 +325,7 @@ int main(void)
         cmocka_unit_test(maps_have_their_files), cmocka_unit_test(no_function_has_an_underscore), cmocka_unit_test(every_parameter_is_tried),
         cmocka_unit_test(every_wave_is_known),   cmocka_unit_test(every_alias_and_preset_is_known),
         cmocka_unit_test(foreign_names_lead_to_ours), cmocka_unit_test(foreign_names_are_not_ours),
+        cmocka_unit_test(units_hold_defaults),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

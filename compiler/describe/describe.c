@@ -1,5 +1,6 @@
 /* Rows of the tables as text. */
 #include "compiler/describe/describe.h"
+#include "grammar/unit_table.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,11 +47,18 @@ void describe_default(Text *out, const ParamRow *param, const char *preset)
 
 void describe_range(Text *out, const ParamRow *param)
 {
-    if (!isfinite(param->low))
+    const UnitRow *unit = param->kind == KIND_COUNT ? NULL : unit_of((int)(param - param_table));
+    const bool bound = isfinite(param->low);
+    if (!bound && !(unit && isfinite(unit->low))) {
+        text_put(out, unit ? unit->name : "");
         return;
-    text_plain(out, param->low);
+    }
+    text_put(out, bound ? "" : "usually ");
+    text_plain(out, bound ? param->low : round(unit->low * 1e3) / 1e3);
     text_put(out, " to ");
-    text_plain(out, param->high);
+    text_plain(out, bound ? param->high : round(unit->high * 1e3) / 1e3);
+    if (unit && *unit->name)
+        text_format(out, " %s", unit->name);
 }
 
 /* Something to begin with, where a parameter has no default. NULL: better left out. */

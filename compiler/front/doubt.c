@@ -367,13 +367,14 @@ static void say(Doubts *d, const Node *node)
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
         doubt_components(d, node), doubt_mixed(d, node), doubt_lost(d->session, node), doubt_fuzz(d, node),
-            doubt_volume(d, node);
+            doubt_volume(d, node), doubt_normals(d->session, node);
     if (node->kind == KIND_SideSwitch)
         doubt_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)
         doubt_use(d, node);
     if (node->kind == KIND_Expression && d->asked[node->index] & ASKED_shape)
         doubt_shape(d, node);
+    doubt_units(d->session, node);
     doubt_lack(d, node);
 }
 

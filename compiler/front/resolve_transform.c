@@ -1,4 +1,5 @@
 /* Transformations of space: some of their components, or a matrix. */
+#include "compiler/front/doubt.h"
 #include "compiler/front/resolve.h"
 #include <string.h>
 
@@ -88,8 +89,12 @@ static bool resolve_component(Resolver *r, const Tree *tree, const Member *membe
     if (key == KEY_COUNT)
         return false;
     transform->kind = kind_of(tree, key, member->value);
-    if (key != MATRIX)
-        return resolve_number(r, member->key, member->value, lanes_of(key, member->value), parts[key]);
+    if (key != MATRIX) {
+        const bool fine = resolve_number(r, member->key, member->value, lanes_of(key, member->value), parts[key]);
+        if (fine && key == ROTATION)
+            doubt_unit(r->session, member->key, &unit_table[UNIT_radians], parts[key]);
+        return fine;
+    }
     const bool fine = resolve_matrix(r, member->value, transform);
     return stands_alone(r, tree, member) && fine;
 }
