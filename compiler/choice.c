@@ -247,6 +247,8 @@ MatcOptions choice_whole_options(const MatcOptions *given)
 {
     MatcOptions options;
     matc_options_init(&options);
+    if (!given)
+        return options;
     memcpy(&options, given, given->size < sizeof options ? given->size : sizeof options);
     options.size = sizeof options;
     return options;

@@ -56,7 +56,11 @@ void matc_document_free(MatcDocument *d)
 }
 
 int matc_material_count(const MatcDocument *d) { return d->graph ? d->graph->material_count : 0; }
-const char *matc_material_name(const MatcDocument *d, int material) { return d->graph->materials[material].name; }
+
+const char *matc_material_name(const MatcDocument *d, int material)
+{
+    return material >= 0 && material < matc_material_count(d) ? d->graph->materials[material].name : NULL;
+}
 
 int matc_material_find(const MatcDocument *d, const char *name)
 {
@@ -67,7 +71,12 @@ int matc_material_find(const MatcDocument *d, const char *name)
 }
 
 int matc_depend_count(const MatcDocument *d) { return (int)d->session.depends.count; }
-const char *matc_depend(const MatcDocument *d, int index) { return d->session.depends.at[index]; }
+
+const char *matc_depend(const MatcDocument *d, int index)
+{
+    return index >= 0 && index < matc_depend_count(d) ? d->session.depends.at[index] : NULL;
+}
+
 int matc_error_count(const MatcDocument *d) { return d->session.diags.errors; }
 
 const char *matc_tree_text(MatcDocument *d)

@@ -14,6 +14,10 @@
  * No global state, no printing, no exit: any number of threads may work at once, each with its own documents; one document
  * may be compiled by several threads. Only running out of memory ends the process, by abort().
  *
+ * Every function answers every call. Of an index beyond what a count tells, a document with faults, a program or a layout that is not ok, pointers are
+ * NULL, numbers 0, answers false, where nothing else is said. Options may be NULL: the defaults. Other pointers may be NULL where it is said, and those that
+ * a function frees.
+ *
  * A program goes on working with a later libmatc.so of the same number: functions and enumerators stay as they are, and
  * structs grow at their end only. MatcOptions says how long it is; the other structs are the library's, seen by pointer. */
 #ifndef MATC_H
@@ -97,7 +101,7 @@ MATC_API void matc_options_init_sized(MatcOptions *options, size_t size);
 /* Sets a member by its name: "target", "noise", ...; false, and nothing is set, if it is none of those above `optimize`, nor "warnings" or
  * "normals", or has no such value. NULL is the default. */
 MATC_API bool matc_options_set(MatcOptions *options, const char *name, const char *value);
-/* NULL, or which option has a value that does not exist; a program that is compiled with it says which values there are. */
+/* NULL, also of no options, or which option has a value that does not exist; a program that is compiled with it says which values there are. */
 MATC_API const char *matc_options_fault(const MatcOptions *options);
 
 /* Reads and resolves a document. Never NULL; faults are in its diagnostics, and it then has no materials; nor has one of
@@ -106,11 +110,11 @@ MATC_API const char *matc_options_fault(const MatcOptions *options);
 MATC_API MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options);
 MATC_API void matc_document_free(MatcDocument *document);
 MATC_API int matc_material_count(const MatcDocument *document);
-/* The name under `materials:`, or the file's stem. */
+/* The name under `materials:`, or the file's stem; NULL: there is no such material. */
 MATC_API const char *matc_material_name(const MatcDocument *document, int material);
 /* Index of the material of that name, or -1. */
 MATC_API int matc_material_find(const MatcDocument *document, const char *name);
-/* Files that the document was made from, itself first, and those that it asked for in vain. */
+/* Files that the document was made from, itself first, and those that it asked for in vain; NULL beyond them. */
 MATC_API int matc_depend_count(const MatcDocument *document);
 MATC_API const char *matc_depend(const MatcDocument *document, int index);
 /* The document as it was read, as text; owned by the document. */
@@ -159,9 +163,9 @@ MATC_API const char *matc_output(const MatcProgram *program, MatcOutput output, 
  * together. NULL otherwise. Size in bytes, words in the machine's order; owned by the program. */
 MATC_API const char *matc_spirv(const MatcProgram *program, MatcOutput stage, size_t *size);
 MATC_API void matc_program_free(MatcProgram *program);
-/* The pass whose program it is: "depth" for the shadow of an opaque material. */
+/* The pass whose program it is: "depth" for the shadow of an opaque material; of one that is not ok that which was asked for, or "gbuffer". */
 MATC_API const char *matc_pass(const MatcProgram *program);
-/* "opaque" or "transparent" everywhere, or "varying". */
+/* "opaque" or "transparent" everywhere, or "varying"; NULL: the program is not ok. */
 MATC_API const char *matc_opacity(MatcProgram *program);
 
 /* The vertex program moves no point farther, in units of the world: `displacementBound`, or what matc proves of the maps. 0: it moves none,
@@ -236,7 +240,7 @@ typedef struct {
     const char *wrap; /* of its sampler: "repeat", "mirrored_repeat", "clamp_to_edge", or "clamp_to_border", which is 0 in all lanes */
 } MatcTexture;
 MATC_API int matc_texture_count(const MatcProgram *program);
-/* Made on first request, from the document. */
+/* Made on first request, from the document; NULL: there is no such texture. */
 MATC_API const MatcTexture *matc_texture(MatcProgram *program, int index);
 
 /* Render targets of the passes gbuffer and plane; none for other passes. The format is "RGBA16F", "RGBA32UI", ...;

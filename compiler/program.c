@@ -109,8 +109,12 @@ void matc_program_free(MatcProgram *p)
 
 int matc_texture_count(const MatcProgram *p) { return p->texture_count; }
 
+static bool is_within(int index, int count) { return index >= 0 && index < count; }
+
 const MatcTexture *matc_texture(MatcProgram *p, int index)
 {
+    if (!is_within(index, p->texture_count))
+        return NULL;
     texture_fill(&p->session, p->ir, &p->textures[index], p->texture_made_by[index]);
     return &p->textures[index];
 }
@@ -119,13 +123,24 @@ int matc_case(const MatcProgram *p) { return p->layout ? p->ir->layout_case : -1
 
 int matc_target_count(const MatcProgram *p) { return p->layout ? layout_targets(p->layout) : 0; }
 
-const char *matc_target_format(const MatcProgram *p, int index) { return format_table[p->layout->formats[index]].name; }
+const char *matc_target_format(const MatcProgram *p, int index)
+{
+    return is_within(index, matc_target_count(p)) ? format_table[p->layout->formats[index]].name : NULL;
+}
 
 int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
 
 int matc_attribute_count(const MatcProgram *p) { return p->attribute_count; }
-const MatcAttribute *matc_attribute(const MatcProgram *p, int index) { return &p->attributes[index]; }
-const MatcUniform *matc_uniform(const MatcProgram *p, int index) { return &p->uniforms[index]; }
+
+const MatcAttribute *matc_attribute(const MatcProgram *p, int index)
+{
+    return is_within(index, p->attribute_count) ? &p->attributes[index] : NULL;
+}
+
+const MatcUniform *matc_uniform(const MatcProgram *p, int index)
+{
+    return is_within(index, p->uniform_count) ? &p->uniforms[index] : NULL;
+}
 
 const char *matc_pass(const MatcProgram *p) { return pass_table[p->job.pass].name; }
 
@@ -140,8 +155,11 @@ static void list_places(MatcProgram *p)
     }
 }
 
+/* NULL: there is no program. */
 static const IrKey *key_of(MatcProgram *p)
 {
+    if (!p->ir)
+        return NULL;
     if (!p->keyed) {
         p->key = ir_key(&p->session, p->ir, &p->job);
         key_text(p->key.key, p->key_digits);
@@ -154,11 +172,21 @@ static const IrKey *key_of(MatcProgram *p)
 
 const char *matc_key(MatcProgram *p) { return key_of(p) ? p->key_digits : NULL; }
 const char *matc_shape(MatcProgram *p) { return key_of(p) ? p->shape_digits : NULL; }
-int matc_place_count(MatcProgram *p) { return key_of(p)->place_count; }
-const MatcConstant *matc_place(MatcProgram *p, int index) { return key_of(p) ? &p->places[index] : NULL; }
-int matc_constant_count(const MatcProgram *p) { return (int)p->ir->constant_count; }
-const MatcConstant *matc_constant(const MatcProgram *p, int index) { return &p->constants[index]; }
-int matc_constant_bytes(const MatcProgram *p) { return constants_size(p->ir); }
+int matc_place_count(MatcProgram *p) { return key_of(p) ? key_of(p)->place_count : 0; }
+
+const MatcConstant *matc_place(MatcProgram *p, int index)
+{
+    return is_within(index, matc_place_count(p)) ? &p->places[index] : NULL;
+}
+
+int matc_constant_count(const MatcProgram *p) { return p->ir ? (int)p->ir->constant_count : 0; }
+
+const MatcConstant *matc_constant(const MatcProgram *p, int index)
+{
+    return is_within(index, matc_constant_count(p)) ? &p->constants[index] : NULL;
+}
+
+int matc_constant_bytes(const MatcProgram *p) { return p->ir ? constants_size(p->ir) : 0; }
 
 void matc_constant_block(const MatcProgram *p, void *block)
 {

@@ -215,18 +215,25 @@ bool program_write(MatcProgram *p, unsigned outputs)
     return fill_stages(p, outputs) && (!(outputs & MATC_SPIRV) || fill_spirv(p, outputs));
 }
 
+/* Of one output of a program that is ok; -1: of none. */
+static int bit_of(const MatcProgram *p, unsigned output)
+{
+    const bool one = output && !(output & (output - 1)) && output < 1u << OUTPUT_COUNT;
+    return p->ok && one ? __builtin_ctz(output) : -1;
+}
+
 const char *matc_output(const MatcProgram *p, MatcOutput output, size_t *size)
 {
-    int bit = __builtin_ctz(output);
+    const int bit = bit_of(p, output);
     if (size)
-        *size = p->ok ? p->sizes[bit] : 0;
-    return p->ok ? p->outputs[bit] : NULL;
+        *size = bit >= 0 ? p->sizes[bit] : 0;
+    return bit >= 0 ? p->outputs[bit] : NULL;
 }
 
 const char *matc_spirv(const MatcProgram *p, MatcOutput stage, size_t *size)
 {
-    const int bit = __builtin_ctz(stage);
+    const int bit = bit_of(p, stage);
     if (size)
-        *size = p->ok ? p->word_sizes[bit] : 0;
-    return p->ok ? p->words[bit] : NULL;
+        *size = bit >= 0 ? p->word_sizes[bit] : 0;
+    return bit >= 0 ? p->words[bit] : NULL;
 }
