@@ -151,16 +151,31 @@ static void a_mix_names_its_weights(void **state)
     free(text);
 }
 
+/* What a sampler does by itself is left to it: a picture whose texels stand in the middle of their squares is read where the point is. */
+static void a_centred_picture_is_the_samplers(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *text = compile_text("material: Phong\ndiffuse: { map: ImageMap, image: examples/tiles.png, texels: centre, "
+                              "input: { map: UVTransform, scaleU: 3 } }\n",
+                              MATC_FRAGMENT, &options);
+    assert_int_equal(count(text, "imageCentred("), 2);
+    assert_int_equal(count(text, "textureSize"), 0);
+    free(text);
+    text = compile_text("material: Phong\ndiffuse: { map: ImageMap, image: examples/tiles.png }\n", MATC_FRAGMENT,
+                        &options);
+    assert_int_equal(count(text, "imageCentred("), 0);
+    assert_int_equal(count(text, "imageSampled("), 2);
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_subtrees_are_computed_once),
-        cmocka_unit_test(a_filter_is_one_function),
-        cmocka_unit_test(dead_parts_are_pruned),
-        cmocka_unit_test(costly_arms_are_branches),
-        cmocka_unit_test(mixed_sides_are_branches),
-        cmocka_unit_test(mixes_of_mixes_are_asked_once),
-        cmocka_unit_test(inputs_are_minimal),
+        cmocka_unit_test(a_centred_picture_is_the_samplers), cmocka_unit_test(equal_subtrees_are_computed_once),
+        cmocka_unit_test(a_filter_is_one_function),          cmocka_unit_test(dead_parts_are_pruned),
+        cmocka_unit_test(costly_arms_are_branches),          cmocka_unit_test(mixed_sides_are_branches),
+        cmocka_unit_test(mixes_of_mixes_are_asked_once),     cmocka_unit_test(inputs_are_minimal),
         cmocka_unit_test(a_mix_names_its_weights),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

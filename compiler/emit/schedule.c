@@ -66,7 +66,8 @@ static void bound_depth(Schedule *s, Ref ref)
 /* It takes differences between neighbouring pixels, which must all come by. */
 static bool needs_neighbours(const Ir *ir, Ref ref)
 {
-    return ir_is(ir, ref, OP_call) && ir_at(ir, ref)->payload == FN_imageSampled;
+    return ir_is(ir, ref, OP_call) &&
+           (ir_at(ir, ref)->payload == FN_imageSampled || ir_at(ir, ref)->payload == FN_imageCentred);
 }
 
 static void assign_blocks(const Ir *ir, Schedule *s, const Ref *roots, int count)

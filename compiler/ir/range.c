@@ -222,6 +222,7 @@ static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     case FN_imageBilinear:
     case FN_imageFiltered:
     case FN_imageSampled:
+    case FN_imageCentred:
     case FN_imageSampledOver:
         return reads_floats(ir, ref) ? everything : table_range(function);
     default:

@@ -48,9 +48,10 @@ static bool run_rounds(Session *session, Ir *ir)
  * and each gain may make room for another. What is needed once more than a guard's branch is known when all else is done. */
 bool opt_run(Session *session, Ir *ir)
 {
-    static const OptPass merge = {"merge", opt_merge}, guard = {"guard", opt_guard};
+    static const OptPass merge = {"merge", opt_merge}, centre = {"centre", opt_centre}, guard = {"guard", opt_guard};
     bool merged = false, settled = false;
-    if (!run(session, ir, &merge, &merged) || !run_rounds(session, ir) || !run(session, ir, &guard, &settled))
+    if (!run(session, ir, &merge, &merged) || !run(session, ir, &centre, &merged) || !run_rounds(session, ir) ||
+        !run(session, ir, &guard, &settled))
         return false;
     return !settled || run_rounds(session, ir);
 }

@@ -14,6 +14,7 @@ bool opt_power(Ir *ir);        /* whole exponents -> products */
 bool opt_range(Ir *ir);        /* bounds that cannot be reached, comparisons that are decided */
 bool opt_function(Ir *ir);     /* functions that do not use their arguments, or not all; unread lanes of results */
 bool opt_merge(Ir *ir);        /* a value whose gradient is computed anyhow -> a lane of that */
+bool opt_centre(Ir *ir);       /* half a texel that is taken and added -> neither */
 bool opt_trigonometry(Ir *ir); /* sines and arcs -> functions of a bounded error */
 bool opt_guard(Ir *ir);        /* guards that spare nothing -> the value; the others are selects from then on */
 bool opt_polish(Ir *ir);       /* the local rules together, with what is known of uses */

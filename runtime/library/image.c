@@ -112,6 +112,12 @@ REFERENCE(imageBilinear)
 /* The sampler's own weights are those of the four texels. */
 REFERENCE(imageSampled) { bilinear(texture_of(context, args[0]), &args[1], result); }
 
+REFERENCE(imageCentred)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    bilinear(texture, (double[]){args[1] - .5 / texture->width, args[2] - .5 / texture->height}, result);
+}
+
 REFERENCE(pictureSize)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);

@@ -18,12 +18,6 @@ vec2 pictureSize(sampler2D s) {
     return vec2(textureSize(s, 0));
 }
 
-// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
-// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
-vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
-    return texture(s, uv + 0.5 / size);
-}
-
 // Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
 vec4 texel(sampler2D s, vec2 i, vec2 size) {
     return texelFetch(s, ivec2(i), 0);
@@ -32,6 +26,12 @@ vec4 texel(sampler2D s, vec2 i, vec2 size) {
 // Texel floor(size * fraction of uv) of a picture of `size` texels. The min is for a fraction that rounds up to 1.
 vec4 imageNearest(sampler2D s, vec2 uv, vec2 size) {
     return texel(s, min(floor(fract(uv) * size), size - 1.0), size);
+}
+
+// A picture by its sampler, a texel's value at its centre, where samplers have it. The footprint is that of the neighbouring pixels: not in branches.
+// Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageCentred(sampler2D s, vec2 uv) {
+    return texture(s, uv);
 }
 
 // Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
@@ -56,6 +56,12 @@ uint unormBits(float v, int bits) {
 // The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
+// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
+    return texture(s, uv + 0.5 / size);
 }
 
 // How the mix of four texels rises from one to the next along u and along v: of three rows of three, the lowest first; the last
@@ -149,35 +155,29 @@ void main() {
     vec2 uvByY = dFdy(uv);
     // imageCentre.yaml:3 around
     vec2 around = (uv + vec2(0.7, 0.8)) * vec2(2.5);
-    // imageCentre.yaml:3 ImageMap
-    vec2 diffuse_image = pictureSize(imageTexture0);
-    vec4 diffuse_image_2 = imageSampled(imageTexture0, around - vec2(0.5) / diffuse_image, diffuse_image);
     // imageCentre.yaml:7 ImageMap
     vec2 transparency_image = pictureSize(imageTexture1);
-    vec2 transparency_image_2 = vec2(0.5) / transparency_image;
-    vec4 transparency_image_3 = imageSampled(imageTexture1, uv * vec2(90.0, 70.0) - transparency_image_2, transparency_image);
     // imageCentre.yaml:6 ImageMap
     vec4 ambient_image = imageNearest(imageTexture2, around, vec2(64.0));
-    // imageCentre.yaml:5 ImageMap
-    vec2 emissive_image_1 = pictureSize(imageTexture3);
-    vec4 emissive_image = imageSampled(imageTexture3, around - vec2(0.5) / emissive_image_1, emissive_image_1);
     // imageCentre.yaml:8 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
-    uint surface_bits = sharedExponentBits(emissive_image.xyz, 5) | rootBits(ambient_image.x, 4) << 20 | rootBits(ambient_image.y, 4) << 24;
-    uint surface_bits2 = rootBits(diffuse_image_2.x, 7) | rootBits(diffuse_image_2.y, 7) << 7 | rootBits(diffuse_image_2.z, 7) << 14;
+    // imageCentre.yaml:3 ImageMap
+    vec4 diffuse_image = imageCentred(imageTexture0, around);
+    vec4 transparency_image_2 = imageCentred(imageTexture1, uv * vec2(90.0, 70.0));
+    uint surface_bits = sharedExponentBits(imageCentred(imageTexture3, around).xyz, 5) | rootBits(ambient_image.x, 4) << 20 | rootBits(ambient_image.y, 4) << 24;
+    uint surface_bits2 = rootBits(diffuse_image.x, 7) | rootBits(diffuse_image.y, 7) << 7 | rootBits(diffuse_image.z, 7) << 14;
     // imageCentre.yaml:4 ImageMap
-    vec2 specular_image = pictureSize(imageTexture4);
-    vec4 specular_image_2 = imageSampled(imageTexture4, around - vec2(0.5) / specular_image, specular_image);
-    uint surface_bits3 = rootBits(specular_image_2.y, 6) | rootBits(specular_image_2.z, 6) << 6 | rootBits(transparency_image_3.y, 5) << 12;
+    vec4 specular_image = imageCentred(imageTexture4, around);
+    uint surface_bits3 = rootBits(specular_image.y, 6) | rootBits(specular_image.z, 6) << 6 | rootBits(transparency_image_2.y, 5) << 12;
     // imageCentre.yaml:8 ImageMap
-    vec2 image = uv - transparency_image_2;
-    float image_2 = imageSampled(imageTexture1, image, transparency_image).x;
+    vec2 image = uv - vec2(0.5) / transparency_image;
+    float image_2 = imageCentred(imageTexture1, uv).x;
     vec2 image_3 = vec2((imageSampled(imageTexture1, image + vec2(1.0 / transparency_image.x, 0.0), transparency_image).x - image_2) * transparency_image.x, (imageSampled(imageTexture1, image + vec2(0.0, 1.0 / transparency_image.y), transparency_image).x - image_2) * transparency_image.y);
     vec2 image_4 = imageRiseNear(imageTexture1, image, transparency_image, 0, uvByX, uvByY, image_3);
     vec3 bumpMap_3 = cross(bumpMap_1, image_4.x * 0.02 * worldTangentV - image_4.y * 0.02 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits4 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits | rootBits(ambient_image.z, 4) << 28, surface_bits2 | rootBits(specular_image_2.x, 6) << 21 | rootBits(transparency_image_3.x, 5) << 27, surface_bits3 | rootBits(transparency_image_3.z, 5) << 17 | 645922816u);
+    uvec4 surface_bits4 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits | rootBits(ambient_image.z, 4) << 28, surface_bits2 | rootBits(specular_image.x, 6) << 21 | rootBits(transparency_image_2.x, 5) << 27, surface_bits3 | rootBits(transparency_image_2.z, 5) << 17 | 645922816u);
     fragment0 = surface_bits4;
 }

@@ -108,6 +108,7 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     case FN_waveExpm1:
         return 6 * FLOAT_ULP * fabs(value) * (2 + fabs(args[0].numbers[0]));
     case FN_imageSampled:
+    case FN_imageCentred:
         return SAMPLER_ERROR;
     case FN_imageSampledOver: /* what a driver takes of a footprint above a texel is its own */
         return is_magnified(node, args) ? SAMPLER_ERROR : 1;

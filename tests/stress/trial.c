@@ -133,7 +133,7 @@ static Pixel pixel_of(const Trial *t, const Program *p)
 {
     bool sees = false, told = false;
     for (int form = 0; form < FORM_COUNT; form++) {
-        sees |= calls(p->ir[form], FN_imageSampled);
+        sees |= calls(p->ir[form], FN_imageSampled) || calls(p->ir[form], FN_imageCentred);
         told |= calls(p->ir[form], FN_imageSampledOver);
     }
     return sees && told ? (Pixel){0, 0} : t->plan->pixel;

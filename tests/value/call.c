@@ -191,7 +191,7 @@ static bool draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_
     gl_use(c->gl);
     if (!make_program(c, function, &material))
         return false;
-    bool linear = function == FN_imageSampled || function == FN_imageSampledOver;
+    bool linear = function == FN_imageSampled || function == FN_imageCentred || function == FN_imageSampledOver;
     bool drawn = set_textures(&material, tuples, sampled ? (int)tuples[0][0][0] : 0, linear);
     framebuffer_use(c->gl, words ? &c->words : &c->floats);
     material_use(&material);
