@@ -138,6 +138,7 @@ const KindRow kind_table[KIND_COUNT] = {
 #define FORMULA(kind, channels, text)            [KIND_##kind].answers = channels, [KIND_##kind].formula = text,
 #define FILTER(kind, how, by, rest)                                                                                    \
     [KIND_##kind].filter = FILTER_##how, [KIND_##kind].mean = FN_##by, [KIND_##kind].variance = FN_##rest,
+#define FAR(kind, what)         [KIND_##kind].far = FAR_##what,
 #define EXAMPLE(kind, document) [KIND_##kind].example = document,
 #define MOVES(kind, which)      [KIND_##kind].moves = MOVES_##which,
 #define STEP(kind, size, lanes) [KIND_##kind].step = size, [KIND_##kind].step_lanes = lanes,

@@ -138,8 +138,9 @@ static inline bool param_is_word(const ParamRow *row) { return row->type > PARAM
 
 typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;
 
-/* What --aa makes of a volume map. */
+/* What --aa makes of a volume map; what samples give way to where a pixel has many cells. */
 typedef enum { FILTER_samples, FILTER_point, FILTER_box, FILTER_octaves } FilterKind;
+typedef enum { FAR_unknown, FAR_number, FAR_point } Far;
 
 /* Coordinates that a transformer changes. */
 typedef enum { MOVES_xyz = 1, MOVES_uv = 2, MOVES_both = MOVES_xyz | MOVES_uv } Moved;
@@ -155,7 +156,7 @@ typedef struct {
     const char *formula; /* what it computes: lines of plain text */
     const char *example; /* a document that shows it; NULL: the map with its defaults does */
     FilterKind filter;
-    int mean, variance; /* the filter's Functions, or FN_none */
+    int mean, variance, far; /* the filter's Functions, or FN_none; of samples a Far */
     unsigned moves;     /* Moved: coordinates that it answers with others than its input's */
     double step;        /* of its finite difference; 0: a texel */
     int step_lanes;     /* along so many lanes of its coordinate; 0: it neither jumps nor is a picture */

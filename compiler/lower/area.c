@@ -1,6 +1,7 @@
 /* Filtered forms of the maps: closed means over boxes where there are any, fading octaves for noise, samples for the rest. */
 #include "compiler/lower/address.h"
 #include "compiler/lower/area.h"
+#include "compiler/lower/cells.h"
 #include <math.h>
 
 enum { MOST_ARGUMENTS = 8 }; /* of a function */
@@ -103,6 +104,20 @@ static Answer point(Lower *l, Kind kind, Answer p, const Ref *args, int count)
     return answer_of(call_at(l, FN_FIRST_MAP + (int)kind, p.value, args, count));
 }
 
+/* Of cells finer than a pixel four samples know less than what all have in the mean: they give way to it from 1.5 cells on, and at 3.5 are nothing. */
+static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer near)
+{
+    Ir *ir = l->ir;
+    const double begin = 1.5, width = 2;
+    Ref edges = kind_table[kind].far == FAR_unknown ? 0 : footprint_edges(l, p);
+    Answer far;
+    if (!edges || !cells_far(l, (Far)kind_table[kind].far, args, &far))
+        return near;
+    Ref beyond = build_sub(ir, footprint_greatest_lane(l, edges), build_float(ir, begin));
+    Ref share = build_clamp(ir, build_scale(ir, beyond, 1 / width), build_float(ir, 0), build_float(ir, 1));
+    return (Answer){build_mix(ir, near.value, far.value, share), build_mix(ir, near.variance, far.variance, share), NULL};
+}
+
 /* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */
 static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
@@ -118,7 +133,7 @@ static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
         Ref apart = build_sub(ir, values[i], mean);
         squares[i] = build_square(ir, apart);
     }
-    return (Answer){mean, mean_of(l, squares, point_count), NULL};
+    return far_away(l, kind, p, args, (Answer){mean, mean_of(l, squares, point_count), NULL});
 }
 
 /* Closed means over boxes, functions (middle, edges, args). */

@@ -18,4 +18,7 @@ Ref cells_at(Lower *l, const Cells *cells, Ref q, Ref beside);
 Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q);
 /* The same of distances to the points around a position, F1 or `edge`, as formulas have them. */
 Ref cells_of(Lower *l, Ref p, bool edge);
+/* The mean and the variance over many cells of a map of MaterialX's, by its arguments: for a number none count but the last, `dimensions`; for a point `jitter`, `style`, `dimensions`.
+ * False: it is not known what the map is before it is drawn. */
+bool cells_far(Lower *l, Far far, const Ref *args, Answer *made);
 #endif
