@@ -89,8 +89,28 @@ static void nothing_is_seen(void **state)
     assert_true(grey.mean > 0.3);
 }
 
+/* Keys are no maps: their examples are documents of which nothing is said, and that have the key. */
+static void examples_of_keys_are_documents(void **state)
+{
+    (void)state;
+    static const char *const keys[] = {
+#define KEY(name, where, doc, example) #name,
+#include "grammar/keys.def"
+    };
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        char *text = example_of(keys[i]);
+        MatcDocument *document = matc_read("example.yaml", text, strlen(text), NULL);
+        if (!strstr(text, keys[i]) || *matc_diagnostics(document, MATC_TEXT))
+            fail_msg("%s\n%s", text, matc_diagnostics(document, MATC_TEXT));
+        assert_true(matc_material_count(document) > 0);
+        matc_document_free(document);
+        free(text);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(examples_show_something), cmocka_unit_test(nothing_is_seen)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(examples_show_something), cmocka_unit_test(nothing_is_seen),
+                                       cmocka_unit_test(examples_of_keys_are_documents)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -186,13 +186,6 @@ static void explain_colors(const Query *q)
 /* What is said of colours themselves. */
 static void explain_color_spaces(const Query *q)
 {
-    if (begins(q, "colors"))
-        text_put(
-            q->out,
-            "colors (key of the outermost level)\n"
-            "linear (default) or srgb: what \"#rrggbb\", colour names and pictures of this file are. Files that are\n"
-            "included have their own. Lists of numbers, and alpha, are never converted.\n\nExample\n"
-            "  colors: srgb\n  material: Phong\n  diffuse: \"#808080\"\n");
     if (begins(q, "srgb"))
         text_put(q->out, "srgb (of a colour, or of colors:)\n"
                          "Encoded by IEC 61966-2-1, as colour pickers and most pictures have it.\n\nMeaning\n"
@@ -201,6 +194,20 @@ static void explain_color_spaces(const Query *q)
     if (begins(q, "linear"))
         text_put(q->out, "linear (of a colour, or of colors:)\n"
                          "Linear light: a byte over 255 is the value.\n\nExample\n  diffuse: \"linear(#808080)\"\n");
+}
+
+static void explain_keys(const Query *q)
+{
+    static const struct {
+        const char *name, *where, *doc, *example;
+    } rows[] = {
+#define KEY(name, where, doc, example) {#name, where, doc, example},
+#include "grammar/keys.def"
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (begins(q, rows[i].name))
+            text_format(q->out, "%s (key %s)\n%s\n\nExample\n%s", rows[i].name, rows[i].where, rows[i].doc,
+                        rows[i].example);
 }
 
 static void explain_channels(const Query *q)
@@ -301,6 +308,7 @@ char *matc_explain(const char *name)
         explain_functions(&query);
         explain_colors(&query);
         explain_color_spaces(&query);
+        explain_keys(&query);
         explain_channels(&query);
         explain_slots(&query);
         explain_programs(&query);
