@@ -115,7 +115,8 @@ static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer ne
         return near;
     Ref beyond = build_sub(ir, footprint_greatest_lane(l, edges), build_float(ir, begin));
     Ref share = build_clamp(ir, build_scale(ir, beyond, 1 / width), build_float(ir, 0), build_float(ir, 1));
-    return (Answer){build_mix(ir, near.value, far.value, share), build_mix(ir, near.variance, far.variance, share), NULL};
+    Ref value = build_mix(ir, near.value, far.value, share);
+    return (Answer){value, build_mix(ir, near.variance, far.variance, share), NULL};
 }
 
 /* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */

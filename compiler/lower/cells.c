@@ -114,7 +114,8 @@ bool cells_far(Lower *l, Far far, const Ref *args, Answer *made)
 {
     Ir *ir = l->ir;
     enum { JITTER, STYLE, DIMENSIONS };
-    *made = (Answer){build_float(ir, 0.5), build_float(ir, 1.0 / 12), NULL};
+    Ref mean = build_float(ir, 0.5);
+    *made = (Answer){mean, build_float(ir, 1.0 / 12), NULL};
     if (far == FAR_number)
         return true;
     if (far != FAR_point || !ir_is(ir, args[STYLE], OP_const) || !ir_is(ir, args[DIMENSIONS], OP_const))
@@ -124,6 +125,7 @@ bool cells_far(Lower *l, Far far, const Ref *args, Answer *made)
     const int flat = ir_known(ir, args[DIMENSIONS])[0] < CELLS_MOST_DIMENSIONS;
     const Cells cells = {.jitter = build_clamp(ir, args[JITTER], build_float(ir, 0), build_float(ir, 1))};
     const Statistics *s = &statistics[!flat][0][CELLS_VALUE_F1];
-    *made = (Answer){by_jitter(l, &cells, s->mean), by_jitter(l, &cells, s->variance), NULL};
+    mean = by_jitter(l, &cells, s->mean);
+    *made = (Answer){mean, by_jitter(l, &cells, s->variance), NULL};
     return true;
 }
