@@ -43,6 +43,8 @@ static void little_moves_do_not_matter(void **state)
                 {2, true, .01, .003, {0}},
                 {4, false, .01, 0, {0}}};
     enum { VIEWS = 30 };
+    const GlContext *gl = ((const BisectionBodies *)*state)->gl;
+    const double most = gl->hardware ? 0.9 : 0.5; /* a device looks at sixteen where one is due, a processor at two */
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         BisectionBody b = bisection_body_begin(*state, "pixels: 0.8, triangles: 9000", bisection_bodies[rows[i].body]);
         uint32_t random = 1;
@@ -68,7 +70,7 @@ static void little_moves_do_not_matter(void **state)
         }
         print_message("%zu: %d triangles; in %d views %d bisected or merged, one in %.1f looked at\n", i, counts[0],
                       VIEWS - 1, changed, (VIEWS - 1.) * counts[0] / looked);
-        assert_true(counts[0] > 1000 && changed > 20 && 2 * looked < (VIEWS - 1) * counts[0]);
+        assert_true(counts[0] > 1000 && changed > 20 && looked < most * (VIEWS - 1) * counts[0]);
         for (int view = 0; view < VIEWS; view++) {
             b.scene->camera = views[view];
             assert_fresh_has_them(&b, leaves[view], counts[view]);
