@@ -44,7 +44,7 @@ static void little_moves_do_not_matter(void **state)
                 {4, false, .01, 0, {0}}};
     enum { VIEWS = 30 };
     const GlContext *gl = ((const BisectionBodies *)*state)->gl;
-    const double most = gl->hardware ? 0.9 : 0.5; /* a device looks at sixteen where one is due, a processor at two */
+    const double most = gl->hardware ? 0.9 : 0.6; /* a device looks at sixteen where one is due, a processor at four */
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         BisectionBody b = bisection_body_begin(*state, "pixels: 0.8, triangles: 9000", bisection_bodies[rows[i].body]);
         uint32_t random = 1;

@@ -70,7 +70,7 @@ const uint LIST_FREE = 0u, LIST_FLAGS = 1u, LIST_CHOSEN = 2u, LIST_WANTED = 3u, 
 #ifdef BISECT_WIDE // to look at more than need be costs a device less than to choose more finely
 const uint BISECT_TILE = 16u, BISECT_LOOK_TILES = 16u; // of places; of a group that looks
 #else
-const uint BISECT_TILE = 2u;
+const uint BISECT_TILE = 4u;
 #endif
 // How many leaves a group bisects at once. Each has nine heights at least, for a thread each where a device has many.
 #ifdef BISECT_FEW

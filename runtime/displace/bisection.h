@@ -24,7 +24,7 @@ enum {
     BISECTION_EXTENT = BISECTION_BOX + 6, /* three words of each light */
     BISECTION_HEAD = BISECTION_EXTENT + 3 * BISECTION_LIGHTS_MOST,
     BISECTION_LISTS = 7,
-    BISECTION_TILE = 2, /* places that are looked at together: one word for these, behind the lists */
+    BISECTION_TILE = 4, /* places that are looked at together: one word for these, behind the lists */
     BISECTION_TILE_WIDE = 16 /* likewise, where a device has many threads */
 };
 /* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what follows them is one farther. */
