@@ -50,8 +50,8 @@ bool opt_run(Session *session, Ir *ir)
 {
     static const OptPass merge = {"merge", opt_merge}, centre = {"centre", opt_centre}, guard = {"guard", opt_guard};
     bool merged = false, settled = false;
-    if (!run(session, ir, &merge, &merged) || !run(session, ir, &centre, &merged) || !run_rounds(session, ir) ||
-        !run(session, ir, &guard, &settled))
+    if (!run(session, ir, &merge, &merged) || (ir->texture_count && !run(session, ir, &centre, &merged)) ||
+        !run_rounds(session, ir) || !run(session, ir, &guard, &settled))
         return false;
     return !settled || run_rounds(session, ir);
 }

@@ -29,4 +29,4 @@ static Ref centre(Ir *ir, Ref ref, const void *user)
     return build_call(ir, FN_imageCentred, ir_arg(ir, ref, 0), ir_arg(ir, uv, 0));
 }
 
-bool opt_centre(Ir *ir) { return ir->texture_count && ir_sweep(ir, centre, NULL); }
+bool opt_centre(Ir *ir) { return ir_sweep(ir, centre, NULL); }
