@@ -127,7 +127,8 @@ static void put_argument_schema(Text *out, const Member *member, const Parameter
     text_put(out, "}");
 }
 
-static void put_use_schema(Text *out, Session *session, const Member *definition)
+/* A use of a definition, within the document or as its outermost level. */
+static void put_use_schema(Text *out, Session *session, const Member *definition, bool outermost)
 {
     const Tree *tree = definition->value;
     const Member *params = tree->kind == TREE_object ? tree_find(tree, "params") : NULL;
@@ -141,7 +142,8 @@ static void put_use_schema(Text *out, Session *session, const Member *definition
     text_put(out, "}");
     for (uint32_t i = 0; i < count; i++) {
         Parameter p;
-        if (!resolve_parameter(&r, &params->value->members[i], &p))
+        if (!resolve_parameter(&r, &params->value->members[i], &p) ||
+            (outermost && resolve_is_document_key(params->value->members[i].key)))
             continue;
         text_put(out, ",\n            ");
         json_key(out, params->value->members[i].key);
@@ -151,31 +153,43 @@ static void put_use_schema(Text *out, Session *session, const Member *definition
             json_string(&wanted, params->value->members[i].key);
         }
     }
+    if (outermost) {
+        text_put(out, ",\n");
+        describe_beside(out);
+    }
     text_put(out, "\n          }, \"required\": [\"ref\"");
     text_put(out, wanted.size ? wanted.at : "");
     text_put(out, "]\n        }");
 }
 
-char *matc_document_schema(MatcDocument *d)
+/* Uses of all definitions of a document and of the files that it includes, for "anyOf". */
+static void put_uses_schema(Text *out, MatcDocument *d, bool outermost)
 {
-    Arena arena = {0};
-    Text ref = text_new(&arena);
-    if (!d->graph)
-        return NULL;
-    text_put(&ref, "{\n      \"description\": \"A map or material of `defs:`, the document's own or of a file that it includes.\",\n"
-                   "      \"type\": \"object\", \"required\": [\"ref\"], \"anyOf\": [\n");
     bool first = true;
+    text_put(out, "{\n      \"description\": \"A map or material of `defs:`, the document's own or of a file that it "
+                  "includes.\",\n"
+                  "      \"type\": \"object\", \"required\": [\"ref\"], \"anyOf\": [\n");
     for (int i = 0; i < d->graph->def_count; i++)
         for (uint32_t k = 0; k < d->graph->defs[i]->count; k++) {
             const Member *member = &d->graph->defs[i]->members[k];
             if (definition_of(d, member->key) != member)
                 continue;
-            text_put(&ref, first ? "" : ",\n");
-            put_use_schema(&ref, &d->session, member);
+            text_put(out, first ? "" : ",\n");
+            put_use_schema(out, &d->session, member, outermost);
             first = false;
         }
-    text_put(&ref, first ? "        false\n      ]\n    }" : "\n      ]\n    }");
-    char *schema = describe_document_schema(ref.at);
+    text_put(out, first ? "        false\n      ]\n    }" : "\n      ]\n    }");
+}
+
+char *matc_document_schema(MatcDocument *d)
+{
+    Arena arena = {0};
+    Text ref = text_new(&arena), document = text_new(&arena);
+    if (!d->graph)
+        return NULL;
+    put_uses_schema(&ref, d, false);
+    put_uses_schema(&document, d, true);
+    char *schema = describe_document_schema(ref.at, document.at);
     arena_free(&arena);
     return schema;
 }

@@ -263,6 +263,11 @@ static const Rule rules[] = {
      "}\n",
      SLOT_emissive,
      {bits, false}},
+    {PHONG("{ map: Checker, color1: %a, color2: %b }"),
+     "defs: { p: { params: { dark: black }, material: Phong, emissive: { map: Checker, color1: { param: dark }, "
+     "color2: %b } } }\nref: p\ndark: %a\n",
+     SLOT_emissive,
+     {bits, true}},
     {"material: RGBA\nr: 0.25\na: 0.75\n",
      "material: Phong\ndiffuse: [0.25, 0.5, 0.5]\ntransparency: 0.25\n",
      SLOT_transparency,

@@ -11,8 +11,11 @@
 
 /* JSON Schema of a file of files.def, "manifest", ...; from malloc, NULL if there is none of that name. describe_files.c */
 char *describe_file(const char *name);
-/* JSON Schema of documents; from malloc. `ref`: the schema of a use of a definition; NULL: of any. describe_schema.c */
-char *describe_document_schema(const char *ref);
+/* JSON Schema of documents; from malloc. `ref`: the schema of a use of a definition, `document`: of one that is the outermost level; NULL: of
+ * any. describe_schema.c */
+char *describe_document_schema(const char *ref, const char *document);
+/* Members of "properties": what may stand beside a material at the outermost level. */
+void describe_beside(Text *out);
 /* What a document writes in a parameter's place: "map", "number", ... */
 const char *describe_type(const ParamRow *param);
 /* "0.5", "[1, 0, 0]", "true", "none". With a preset, its default. */

@@ -41,6 +41,21 @@ static const char any_ref[] =
     "      \"additionalProperties\": {\"description\": \"An argument for a parameter of the definition.\"}\n"
     "    }";
 
+/* What may stand beside a material at the outermost level. */
+#define BESIDE                                                                                                         \
+    "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"                                                                \
+    "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"                                                          \
+    "        \"colors\": {\"$ref\": \"#/$defs/colors\"}"
+
+/* The same as the outermost level. */
+static const char any_ref_document[] =
+    "{\n"
+    "      \"description\": \"A material of `defs:`, the document's own or of a file that it includes.\",\n"
+    "      \"type\": \"object\", \"required\": [\"ref\"], \"not\": {\"required\": [\"materials\"]},\n"
+    "      \"properties\": {\n        \"ref\": {\"type\": \"string\"},\n" BESIDE "\n      },\n"
+    "      \"additionalProperties\": {\"description\": \"An argument for a parameter of the definition.\"}\n"
+    "    }";
+
 /* Definitions that no table speaks of. */
 static const char fixed_definitions[] =
     "    \"param\": {\n"
@@ -252,9 +267,7 @@ static void put_document(Text *out, Kind kind)
     for (int i = row->first; i < row->first + row->count; i++)
         text_format(out, ",\n        \"%s\": {\"$ref\": \"#/$defs/%s/properties/%s\"}", param_table[i].name, row->name,
                     param_table[i].name);
-    text_put(out, ",\n        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
-                  "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
-                  "        \"colors\": {\"$ref\": \"#/$defs/colors\"}\n      }\n    },\n");
+    text_put(out, ",\n" BESIDE "\n      }\n    },\n");
 }
 
 /* "name": any of the kinds of one sort, or a reference to one; `more` are further alternatives. */
@@ -275,8 +288,8 @@ static void put_choice(Text *out, const char *name, bool material, const char *m
 
 static void put_top(Text *out)
 {
-    text_put(out,
-             "  \"anyOf\": [\n    {\"$ref\": \"#/$defs/materialsDocument\"},\n    {\"$ref\": \"#/$defs/definitions\"}");
+    text_put(out, "  \"anyOf\": [\n    {\"$ref\": \"#/$defs/materialsDocument\"},\n    {\"$ref\": "
+                  "\"#/$defs/definitions\"},\n    {\"$ref\": \"#/$defs/refDocument\"}");
     for (int kind = 0; kind < KIND_COUNT; kind++)
         if (kind_table[kind].lowering == LOWERING_MATERIAL)
             text_format(out, ",\n    {\"$ref\": \"#/$defs/%sDocument\"}", kind_table[kind].name);
@@ -341,7 +354,9 @@ static void put_materials_document(Text *out)
     text_put(out, "\n      }\n    }\n");
 }
 
-char *describe_document_schema(const char *ref)
+void describe_beside(Text *out) { text_put(out, BESIDE); }
+
+char *describe_document_schema(const char *ref, const char *document)
 {
     static const char any_value[] = "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        "
                                     "{\"$ref\": \"#/$defs/param\"},\n        {\"$ref\": \"#/$defs/shorthand\"},\n";
@@ -353,7 +368,8 @@ char *describe_document_schema(const char *ref)
     put_top(&out);
     text_put(&out, "  \"$defs\": {\n");
     text_put(&out, parameter_definitions);
-    text_format(&out, "    \"ref\": %s,\n", ref ? ref : any_ref);
+    text_format(&out, "    \"ref\": %s,\n    \"refDocument\": %s,\n", ref ? ref : any_ref,
+                document ? document : any_ref_document);
     text_format(&out, fixed_definitions, LIMIT_NAME);
     text_put(
         &out,
@@ -379,5 +395,5 @@ char *describe_document_schema(const char *ref)
 
 char *matc_schema(const char *of)
 {
-    return !of || !strcmp(of, "document") ? describe_document_schema(NULL) : describe_file(of);
+    return !of || !strcmp(of, "document") ? describe_document_schema(NULL, NULL) : describe_file(of);
 }

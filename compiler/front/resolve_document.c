@@ -102,15 +102,15 @@ bool resolve_is_scene(const Tree *document)
 {
     for (uint32_t i = 0; document->kind == TREE_object && i < document->count; i++)
         if (is_scene_key(document->members[i].key))
-            return !tree_find(document, "material");
+            return !tree_find(document, "material") && !tree_find(document, "ref");
     return false;
 }
 
-enum { OWN_KEYS = 5 };
+enum { OWN_KEYS = 6 };
 static const char *top_key(const void *user, int i)
 {
     (void)user;
-    static const char *const keys[OWN_KEYS] = {"material", "materials", "defs", "include", "colors"};
+    static const char *const keys[OWN_KEYS] = {"material", "materials", "defs", "include", "colors", "ref"};
     return i < OWN_KEYS ? keys[i] : scene_param_table[scene_kind_table[SCENE_Scene].first + i - OWN_KEYS].param.name;
 }
 
@@ -121,7 +121,7 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
         const Member *member = &document->members[i];
         if (resolve_is_document_key(member->key) || is_scene_key(member->key) || !strcmp(member->key, "materials"))
             continue;
-        bool both = !strcmp(member->key, "material");
+        bool both = !strcmp(member->key, "material") || !strcmp(member->key, "ref");
         const char *near =
             diag_suggest(r->session, member->key, top_key, NULL, OWN_KEYS + scene_kind_table[SCENE_Scene].count);
         diag_add(r->session, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
@@ -172,8 +172,8 @@ static bool has_definitions_only(const Tree *document)
 
 static void *say_no_material(Session *session, const Tree *document)
 {
-    static const char *const keys[] = {"material", "materials"};
-    for (int i = 0; i < 2; i++) {
+    static const char *const keys[] = {"material", "materials", "ref"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const Member *other = mistake_case(document, keys[i]);
         if (other)
             return diag_add(session, other->span, DIAG_key_case, other->key, keys[i]);
@@ -190,11 +190,26 @@ static void say_nothing_to_compile(Session *session, const Tree *document)
                                         : "there are definitions only, for `include:`");
 }
 
+/* `ref:` and its arguments at the outermost level, without what stands beside a material there. */
+static Tree *outermost_use(Session *session, const Tree *document)
+{
+    Tree *use = ARENA_NEW(session->arena, Tree);
+    Member *members = ARENA_ARRAY(session->arena, Member, document->count);
+    size_t count = 0;
+    for (uint32_t i = 0; i < document->count; i++)
+        if (!resolve_is_document_key(document->members[i].key))
+            members[count++] = document->members[i];
+    *use = (Tree){.kind = TREE_object, .span = tree_find(document, "ref")->span};
+    tree_set_members(session, use, members, count);
+    return use;
+}
+
 static bool resolve_one(Resolver *r, Tree *document, NamedMaterial *material)
 {
     bool fault = false;
     const char *name = stem(r->session, r->session->sources[document->span.file].name);
-    *material = (NamedMaterial){name, resolve_any(r, document, true, true, &fault)};
+    Tree *tree = tree_find(document, "ref") ? outermost_use(r->session, document) : document;
+    *material = (NamedMaterial){name, resolve_any(r, tree, true, true, &fault)};
     return !fault;
 }
 
@@ -206,6 +221,8 @@ Graph *resolve(Session *session, Tree *document)
     if (document->kind != TREE_object)
         return diag_add(session, document->span, DIAG_document_not_object);
     const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
+    if (!one)
+        one = tree_find(document, "ref");
     if (!many && !one && !has_definitions_only(document))
         return say_no_material(session, document);
     bool fine = check_top(&r, document, many);
