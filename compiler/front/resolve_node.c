@@ -11,49 +11,64 @@ static int width_of(const Value *map) { return map->kind == VALUE_node ? map->no
 /* What holds both lane by lane: a number stands for all, and two lanes are no colour. */
 static int joined(int a, int b) { return a + b == 3 ? 3 : a > b ? a : b; }
 
-static int items_width(const Value *blend, const Value *input)
+/* Of what holds each item; 0 of none. */
+static int width_of_items(const Value *list)
 {
-    const Items *items = blend->kind == VALUE_items ? blend->items : NULL;
+    const Items *items = list->kind == VALUE_items ? list->items : NULL;
     int width = 0;
     for (int i = 0; items && i < items->count; i++) {
         const Node *node = items->item[i].input;
         const int own = node ? node->width : SURFACE_WIDTH;
         width = i ? joined(width, own) : own;
     }
-    return width ? width : width_of(input);
+    return width;
+}
+
+/* Of the maps of which its colour is made; 0: it has none. Of one that is left out the others stand for it, or its input. */
+static int width_of_colours(const Node *node)
+{
+    const int first = kind_table[node->kind].first, count = kind_table[node->kind].count;
+    int width = 0;
+    for (int i = 0; i < count; i++) {
+        const Value *value = &node->params[i];
+        const bool is_map = value->kind == VALUE_node || value->kind == VALUE_items;
+        const int own = !is_map || !param_is_colored(first + i) ? 0
+                        : value->kind == VALUE_node             ? value->node->width
+                                                                : width_of_items(value);
+        width = !width ? own : own ? joined(width, own) : width;
+    }
+    return width;
 }
 
 /* Lanes of a map's value as formulas read it, from those of the maps below it; 0 of a material. */
 static int width_of_node(const Node *node)
 {
+    const Value *formula = node->kind == KIND_Expression ? node_param(node, P_Expression_is) : NULL;
     switch (node->kind) {
     case KIND_Constant:
         return type_table[node->params->type].lanes;
     case KIND_RGBColor:
+    case KIND_Combine:
         return 3;
     case KIND_Graytone:
     case KIND_Carpenter:
+    case KIND_Separate:
         return 1;
     case KIND_ImageMap:
         return node_param(node, P_ImageMap_channel)->kind == VALUE_number ? 1 : 3;
-    case KIND_Checker:
-        return joined(width_of(node_param(node, P_Checker_color1)), width_of(node_param(node, P_Checker_color2)));
-    case KIND_VolumeChecker:
-        return joined(width_of(node_param(node, P_VolumeChecker_color1)),
-                      width_of(node_param(node, P_VolumeChecker_color2)));
-    case KIND_Blend:
-        return items_width(node_param(node, P_Blend_blend), node_param(node, P_Blend_input));
     case KIND_Expression:
-        return node_param(node, P_Expression_is)->kind == VALUE_formula
-                   ? node_param(node, P_Expression_is)->formula->width
-                   : 1;
+        return formula->kind == VALUE_formula ? formula->formula->width : 1;
     default:
         break;
     }
     if (kind_table[node->kind].lowering == LOWERING_MATERIAL)
         return 0;
+    const int own = width_of_colours(node);
+    if (own)
+        return own;
     const Section section = section_of(node->kind);
-    return section == SECTION_volume || section == SECTION_dimensions ? 1 : width_of(&node->params[0]);
+    const bool is_number = section == SECTION_volume || section == SECTION_dimensions || node->kind == KIND_Switch;
+    return is_number ? 1 : width_of(&node->params[0]);
 }
 
 /* -- What hangs below */
