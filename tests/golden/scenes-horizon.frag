@@ -250,14 +250,15 @@ void main() {
     // horizon.yaml:26 Power
     float power_1 = max(remap, 1e-37);
     float power_2 = min(power_1, 6.3095734e+14);
-    float normal_8 = pow(power_2, 2.5) * 1.8;
+    float power = pow(power_2, 2.5);
+    float normal_8 = power * 1.8;
     float power_3 = step(1e-37, remap);
     float power_4 = step(power_1, 6.3095734e+14);
+    float power_5 = min(power, 1e+18) / max(power_2, 1e-18) * 2.5;
     vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
     vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
-    float power_5 = pow(power_2, 1.5) * 2.5;
-    float normal_11 = power_5 * (dot(mountains.xyz, localTangentU * 0.35) * 0.5 * power_3 * power_4) * 1.8;
-    float normal_12 = power_5 * (dot(mountains.xyz, localTangentV * 0.35) * 0.5 * power_3 * power_4) * 1.8;
+    float normal_11 = dot(mountains.xyz, localTangentU * 0.35) * 0.5 * power_3 * power_4 * power_5 * 1.8;
+    float normal_12 = dot(mountains.xyz, localTangentV * 0.35) * 0.5 * power_3 * power_4 * power_5 * 1.8;
     vec3 normal_13 = cross(normal_6, normal_11 * normal_10 - normal_12 * normal_9) + cross(normal_9, normal_10);
     vec3 normal_14 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_13 : normal_13));
     vec3 normal = normal_14 * (gl_FrontFacing ? 1.0 : -1.0);
