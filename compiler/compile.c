@@ -28,6 +28,8 @@ static void drop_moot(Ir *ir)
     for (int i = 0; i < ir->output_count; i++)
         if (ir->outputs[i].kind != OUT_discard || !ir_is_number(ir, ir->outputs[i].value, 0))
             ir->outputs[kept++] = ir->outputs[i];
+    if (kept < ir->output_count)
+        ir->live = NULL;
     ir->output_count = kept;
 }
 

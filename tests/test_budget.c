@@ -222,7 +222,7 @@ static Ref count_visit(Ir *ir, Ref ref)
 {
     visits++;
     const Ref found = opt_simplify(ir, ref);
-    ir->nodes[found].simple = 0;
+    ir->nodes[found].flags &= (uint8_t)~(NODE_simple | NODE_final);
     return found;
 }
 

@@ -1,5 +1,5 @@
 /* The optimiser asks no more than it has to: of a node that no rule changes once, of a program until a round leaves it as it is. Counts, which
- * are the same on every machine. */
+ * are the same on every machine. And nodes are found again, however many share an operand. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,6 +38,72 @@ static void a_simple_node_is_asked_once(void **state)
     assert_int_equal(build_mul(ir, x, one), x);
     assert_int_equal(build_mul(ir, x, one), x);
     assert_true(asked > first + 1);
+    ir_done(ir);
+    arena_free(&arena);
+}
+
+static Ref twice(Ir *ir, Ref ref, const void *user)
+{
+    asked++;
+    return ref == *(const Ref *)user ? build_add(ir, ref, ref) : ref;
+}
+
+/* sin cos x + |x|: what is settled is not asked; but what is made anew, since an operand was, is. */
+static void a_settled_node_is_asked_when_it_is_made_anew(void **state)
+{
+    (void)state;
+    Arena arena = {0};
+    MatcOptions options;
+    matc_options_init(&options);
+    Session session = {.options = &options, .arena = &arena};
+    Ir *ir = ir_new(&session, NULL);
+    const Ref x = build_swizzle(ir, build_input(ir, INPUT_X), "x"), a = build_cos(ir, x), other = build_abs(ir, x);
+    const Ref b = build_add_of(ir, (Ref[]){build_sin(ir, a), other}), none = 0;
+    ir_output(ir, OUT_depth, 0, b);
+    const uint8_t *live = ir_live_kept(ir);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        ir->nodes[ref].flags |= NODE_decided;
+    asked = 0;
+    assert_false(ir_sweep_unsettled(ir, NODE_decided, twice, &none));
+    assert_int_equal(asked, 0);
+    assert_ptr_equal(ir_live_kept(ir), live); /* nobody has to look again who is alive */
+    ir->nodes[a].flags &= (uint8_t)~NODE_decided;
+    assert_true(ir_sweep_unsettled(ir, NODE_decided, twice, &a));
+    assert_int_equal(asked, 3); /* a, and the sine of what stands for it, and the sum with that */
+    const Ref sum = ir->outputs[0].value, sine = ir_arg(ir, sum, 0);
+    assert_true(sum != b && ir_is(ir, sine, OP_sin) && ir_is(ir, ir_arg(ir, sine, 0), OP_add));
+    assert_int_equal(ir_arg(ir, sum, 1), other);
+    assert_true(ir_live_kept(ir)[sine] && !ir_live_kept(ir)[b]);
+    ir_output(ir, OUT_depth, 1, b); /* and who is alive is asked again when there is one more to see it */
+    assert_true(ir_live_kept(ir)[b]);
+    ir_done(ir);
+    arena_free(&arena);
+}
+
+/* Nodes of one young operand and many old ones, which would all stand at one place of the table; each is one node, and found again. */
+static void equal_nodes_are_one(void **state)
+{
+    enum { COUNT = 20000 };
+    (void)state;
+    Arena arena = {0};
+    MatcOptions options;
+    matc_options_init(&options);
+    Session session = {.options = &options, .arena = &arena};
+    Ir *ir = ir_new(&session, NULL);
+    Ref *old = ARENA_ARRAY(&arena, Ref, COUNT), *sum = ARENA_ARRAY(&arena, Ref, COUNT);
+    for (int i = 0; i < COUNT; i++)
+        old[i] = build_float(ir, i);
+    const Ref young = build_swizzle(ir, build_input(ir, INPUT_X), "x");
+    for (int i = 0; i < COUNT; i++)
+        sum[i] = build_add(ir, young, old[i]);
+    const size_t count = ir->count;
+    for (int again = 0; again < 2; again++, ir_rehash(ir))
+        for (int i = 0; i < COUNT; i++) {
+            assert_int_equal(build_float(ir, i), old[i]);
+            assert_int_equal(build_add(ir, young, old[i]), sum[i]);
+            assert_true(!i || sum[i] == sum[i - 1] + 1);
+        }
+    assert_int_equal(ir->count, count);
     ir_done(ir);
     arena_free(&arena);
 }
@@ -136,6 +202,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_simple_node_is_asked_once),
+        cmocka_unit_test(a_settled_node_is_asked_when_it_is_made_anew),
+        cmocka_unit_test(equal_nodes_are_one),
         cmocka_unit_test(a_rule_leaves_what_it_is_not_asked_of),
         cmocka_unit_test(rounds_end_where_nothing_is_found),
     };

@@ -47,15 +47,6 @@ void text_reserve(Text *text, size_t more)
     text->room = room;
 }
 
-void text_add(Text *text, const char *bytes, size_t size)
-{
-    text_reserve(text, size);
-    if (size)
-        memcpy(text->at + text->size, bytes, size);
-    text->size += size;
-    text->at[text->size] = 0;
-}
-
 void text_int(Text *text, long value)
 {
     char digits[NUMBER_ROOM], *end = digits + sizeof digits, *at = end;

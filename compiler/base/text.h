@@ -14,10 +14,18 @@ typedef struct {
 } Text;
 
 Text text_new(Arena *arena);
-void text_add(Text *text, const char *bytes, size_t size);
-static inline void text_put(Text *text, const char *string) { text_add(text, string, strlen(string)); } /* known here, most often */
 /* Room for so many bytes more, and a zero byte. */
 void text_reserve(Text *text, size_t more);
+static inline void text_add(Text *text, const char *bytes, size_t size)
+{
+    if (text->size + size >= text->room)
+        text_reserve(text, size);
+    if (size)
+        memcpy(text->at + text->size, bytes, size);
+    text->size += size;
+    text->at[text->size] = 0;
+}
+static inline void text_put(Text *text, const char *string) { text_add(text, string, strlen(string)); } /* known here, most often */
 static inline void text_char(Text *text, char c)
 {
     if (text->size + 1 >= text->room)

@@ -40,7 +40,7 @@ static bool needs_name(const Scope *e, Ref ref, int size)
         return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0; /* of what is written in place */
     if (e->s.uses[ref] > 1)
         return true;
-    return (node->head && size > 1) || size > LARGEST_EXPRESSION;
+    return (ir_is_head(e->ir, ref) && size > 1) || size > LARGEST_EXPRESSION;
 }
 
 /* One side of a branch: the statements of `block`, and then target = value. */

@@ -52,9 +52,9 @@ const char *emit_new_name(Scope *e, const IrNode *node)
         text_put(&step, "_bits");
         return free_name(e, step.at);
     }
-    const bool plain = !naming->given && (node->head || naming->valued != e->number);
+    const bool head = node->flags & NODE_head, plain = !naming->given && (head || naming->valued != e->number);
     naming->given |= plain;
-    naming->steps += !node->head || !plain;
+    naming->steps += !head || !plain;
     if (plain)
         return naming->name;
     text_put(&step, naming->name);
@@ -69,7 +69,7 @@ void emit_forget_names(Scope *e)
     e->fresh = (FreshNames){0};
     for (size_t i = 0; i < e->s.nodes.count; i++) {
         const IrNode *node = ir_at(e->ir, e->s.nodes.at[i]);
-        if (node->head && !emit_is_leaf(e->ir, e->s.nodes.at[i]))
+        if (ir_is_head(e->ir, e->s.nodes.at[i]) && !emit_is_leaf(e->ir, e->s.nodes.at[i]))
             e->naming[node->origin].valued = e->number;
     }
 }

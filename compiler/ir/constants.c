@@ -101,6 +101,7 @@ void constants_hoist(Ir *ir)
         for (int i = 0; i < node->count; i++)
             needed[ir_arg(ir, ref, i)] = 1;
     }
+    ir->live = NULL;
     arena_reset(&ir->scratch);
 }
 
@@ -123,6 +124,7 @@ static void make_room(Ir *ir, int count)
     }
     for (int i = 0; i < ir->output_count; i++)
         ir->outputs[i].value += (Ref)count;
+    ir->live = NULL;
 }
 
 void constants_place(Ir *ir, const NumberPlace *places, const int *member, int count)

@@ -18,7 +18,11 @@ static const double SLACK = 1e-5;
 
 static inline Interval between(double low, double high) { return (Interval){low, high}; }
 
-static inline Interval hull(Interval a, Interval b) { return (Interval){fmin(a.low, b.low), fmax(a.high, b.high)}; }
+/* Of numbers: bounds are none that is not, and fmin, which asks, is a call. */
+static inline double least(double a, double b) { return a < b ? a : b; }
+static inline double most(double a, double b) { return a > b ? a : b; }
+
+static inline Interval hull(Interval a, Interval b) { return (Interval){least(a.low, b.low), most(a.high, b.high)}; }
 
 /* One number, and no other. */
 static inline bool is_point(Interval a) { return a.low == a.high && isfinite(a.low); }
@@ -29,7 +33,7 @@ static inline Interval times(Interval a, Interval b)
 {
     double p = product(a.low, b.low), q = product(a.low, b.high), r = product(a.high, b.low),
            s = product(a.high, b.high);
-    return (Interval){fmin(fmin(p, q), fmin(r, s)), fmax(fmax(p, q), fmax(r, s))};
+    return (Interval){least(least(p, q), least(r, s)), most(most(p, q), most(r, s))};
 }
 
 static inline Interval sum(Interval a, Interval b)
@@ -42,8 +46,8 @@ static inline Interval negative(Interval a) { return (Interval){-a.high, -a.low}
 
 static inline Interval magnitude(Interval a)
 {
-    double high = fmax(fabs(a.low), fabs(a.high));
-    return (Interval){a.low <= 0 && a.high >= 0 ? 0 : fmin(fabs(a.low), fabs(a.high)), high};
+    double high = most(fabs(a.low), fabs(a.high));
+    return (Interval){a.low <= 0 && a.high >= 0 ? 0 : least(fabs(a.low), fabs(a.high)), high};
 }
 
 static inline Interval square(Interval a) { return times(magnitude(a), magnitude(a)); }
@@ -73,7 +77,7 @@ static inline Interval mixed(Interval a, Interval b, Interval t)
 /* A bound that a driver's function may pass. */
 static inline Interval loose(Interval a)
 {
-    return (Interval){a.low - SLACK * fmax(fabs(a.low), 1), a.high + SLACK * fmax(fabs(a.high), 1)};
+    return (Interval){a.low - SLACK * most(fabs(a.low), 1), a.high + SLACK * most(fabs(a.high), 1)};
 }
 
 /* A function that never falls, between its values at both ends; and one that a driver computes as it likes. */
@@ -98,6 +102,6 @@ static inline Interval remainder_of(Interval a, Interval b)
     return b.low > 0 ? (Interval){0, b.high} : everything;
 }
 
-static inline Interval both(Interval a, Interval b) { return (Interval){fmax(a.low, b.low), fmin(a.high, b.high)}; }
+static inline Interval both(Interval a, Interval b) { return (Interval){most(a.low, b.low), least(a.high, b.high)}; }
 static inline bool is_empty(Interval a) { return a.low > a.high; }
 #endif

@@ -19,7 +19,7 @@ const uint8_t op_payload[OP_COUNT] = {
 #include "grammar/ops.def"
 };
 
-enum { FIRST_TABLE = 256 };
+enum { FIRST_TABLE = 1024 }; /* the programs of most formulas and small documents need no larger one */
 
 Ir *ir_new(Session *session, const Graph *graph)
 {
@@ -37,6 +37,7 @@ void ir_done(Ir *ir)
     arena_free(&ir->scratch);
     arena_free(&ir->kept);
     ir->ranges = NULL;
+    ir->live = NULL;
 }
 
 static uint32_t mix_hash(uint32_t hash, uint32_t word)
@@ -55,13 +56,39 @@ static uint32_t hash_bytes(uint32_t hash, const void *bytes, size_t size)
     return hash;
 }
 
+/* The slots that a node may have, in turn: some beside those of what shares its youngest operand, so that what is made together lies together, and in
+ * the cache; where these are taken, or it has no operand, those from one on that its hash gives. */
+enum { NEAR_SLOTS = 8, NEAR_SPREAD = 15 };
+typedef struct {
+    uint32_t at, hash;
+    uint32_t near; /* so many are left of the first ones */
+} Probe;
+
+static inline Probe probe_of(const Ir *ir, const IrNode *node, const Ref *args)
+{
+    Ref youngest = 0;
+    for (int i = 0; i < node->count; i++)
+        youngest = args[i] > youngest ? args[i] : youngest;
+    if (!youngest)
+        return (Probe){node->hash & ir->mask, node->hash, 0};
+    return (Probe){(2 * youngest + (node->hash & NEAR_SPREAD)) & ir->mask, node->hash, NEAR_SLOTS};
+}
+
+static inline void probe_next(const Ir *ir, Probe *probe)
+{
+    const bool leaves = probe->near == 1;
+    probe->near -= probe->near > 0;
+    probe->at = (leaves ? probe->hash : probe->at + 1) & ir->mask;
+}
+
 static void fill_table(Ir *ir)
 {
     for (Ref ref = 1; ref < ir->count; ref++) {
-        uint32_t at = ir->nodes[ref].hash & ir->mask;
-        while (ir->table[at])
-            at = (at + 1) & ir->mask;
-        ir->table[at] = ref;
+        const IrNode *node = &ir->nodes[ref];
+        Probe probe = probe_of(ir, node, node->count ? &ir->args[node->first] : NULL);
+        while (ir->table[probe.at])
+            probe_next(ir, &probe);
+        ir->table[probe.at] = ref;
     }
 }
 
@@ -83,6 +110,7 @@ static uint32_t hash_node(const IrNode *node, const Ref *args)
 void ir_rehash(Ir *ir)
 {
     ir->ranges = NULL;
+    ir->live = NULL;
     ir->moved = true;
 }
 
@@ -118,15 +146,17 @@ static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)
 {
     if (ir->moved)
         rehash(ir);
-    uint32_t at = node->hash & ir->mask;
-    for (; ir->table[at]; at = (at + 1) & ir->mask)
-        if (equal_node(ir, &ir->nodes[ir->table[at]], node, args))
-            return ir->table[at];
+    Probe probe = probe_of(ir, node, args);
+    for (; ir->table[probe.at]; probe_next(ir, &probe))
+        if (equal_node(ir, &ir->nodes[ir->table[probe.at]], node, args))
+            return ir->table[probe.at];
     node->first = (uint32_t)ir->arg_count;
     node->origin = ir->origin;
+    while (ir->arg_count + node->count > ir->arg_room)
+        ir->args = arena_grow(ir->arena, ir->args, ir->arg_room, &ir->arg_room, sizeof *ir->args);
     for (int i = 0; i < node->count; i++)
-        ARENA_PUSH(ir->arena, ir->args, ir->arg_count, ir->arg_room, args[i]);
-    return add_node(ir, node, at);
+        ir->args[ir->arg_count++] = args[i];
+    return add_node(ir, node, probe.at);
 }
 
 Ref ir_const(Ir *ir, Type type, const double *numbers)
@@ -137,12 +167,12 @@ Ref ir_const(Ir *ir, Type type, const double *numbers)
         own[i] = numbers[i];
     if (ir->moved)
         rehash(ir);
-    IrNode node = {.op = OP_const, .type = (uint8_t)type};
+    IrNode node = {.op = OP_const, .type = (uint8_t)type, .flags = NODE_simple | NODE_final};
     node.hash = hash_bytes(mix_hash(OP_const, type), own, lanes * sizeof *own);
     uint32_t at = node.hash & ir->mask;
     for (; ir->table[at]; at = (at + 1) & ir->mask) {
         const IrNode *other = &ir->nodes[ir->table[at]];
-        if (other->op == OP_const && other->type == type &&
+        if (other->hash == node.hash && other->op == OP_const && other->type == type &&
             !memcmp(&ir->numbers[other->payload], own, lanes * sizeof *own))
             return ir->table[at];
     }
@@ -181,10 +211,10 @@ static Type type_by_rule(const Ir *ir, const IrNode *node, const Ref *args)
 Ref ir_make(Ir *ir, IrNode made, const Ref *args)
 {
     made.type = (uint8_t)type_by_rule(ir, &made, args);
-    made.head = made.simple = made.decided = 0;
+    made.flags = made.count ? 0 : NODE_simple | NODE_final;
     made.hash = hash_node(&made, args);
     Ref ref = find_or_add(ir, &made, args);
-    return ir->simplify && made.count && !ir->nodes[ref].simple ? ir->simplify(ir, ref) : ref;
+    return ir->simplify && !(ir->nodes[ref].flags & NODE_simple) ? ir->simplify(ir, ref) : ref;
 }
 
 bool ir_is_number(const Ir *ir, Ref ref, double value)
@@ -237,6 +267,7 @@ int ir_function(Ir *ir, const Ref *arguments, int count, Ref result)
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value)
 {
     ir->outputs[ir->output_count++] = (IrOutput){kind, index, value};
+    ir->live = NULL;
 }
 
 const IrOutput *ir_output_of(const Ir *ir, OutputKind kind)
@@ -271,6 +302,15 @@ uint8_t *ir_live(const Ir *ir, Arena *arena)
         live[ir->outputs[i].value] = 1;
     ir_live_below(ir, live, (Ref)ir->count - 1);
     return live;
+}
+
+const uint8_t *ir_live_kept(Ir *ir)
+{
+    if (!ir->live || ir->live_count != ir->count) {
+        ir->live = ir_live(ir, &ir->kept);
+        ir->live_count = ir->count;
+    }
+    return ir->live;
 }
 
 int ir_cost(const Ir *ir, Ref ref)

@@ -52,11 +52,17 @@ enum { ORIGIN_SURFACE, ORIGIN_SLOTS, ORIGIN_MAPS = ORIGIN_SLOTS + SLOT_COUNT };
 
 typedef uint32_t Ref; /* number of a node; 0 is none */
 
+/* What is known of a node. Equal nodes are one whatever is known of them. */
+enum {
+    NODE_head = 1,   /* it is the value of its origin's map or slot, not a step on the way; for names only */
+    NODE_simple = 2, /* no local rule changes it as long as nobody knows who uses it: opt_simplify was asked */
+    NODE_final = 4,  /* none does, whoever uses it */
+    NODE_decided = 8 /* no interval decides it: opt_range was asked */
+};
+
 typedef struct {
     uint8_t op, type, count; /* Op, Type, operands */
-    uint8_t head : 1;        /* it is the value of its origin's map or slot, not a step on the way; for names only */
-    uint8_t simple : 1;      /* no local rule changes it: opt_simplify was asked */
-    uint8_t decided : 1;     /* no interval decides it: opt_range was asked */
+    uint8_t flags;           /* NODE_ */
     uint32_t origin;         /* what it was made for; for names and comments only */
     uint32_t first;          /* of its operands in args */
     uint32_t payload;        /* what op_payload says */
@@ -120,6 +126,8 @@ typedef struct Ir {
     Arena scratch; /* of the sweep under way; reset by it, freed by ir_done */
     Arena kept;    /* of what is known from sweep to sweep; freed by ir_done */
     struct Ranges *ranges; /* those that were found, while nodes keep their numbers; NULL: none. By opt_range alone */
+    uint8_t *live; /* by Ref, of live_count nodes: ir_live_kept; NULL: nobody asked since an output or a node changed */
+    size_t live_count;
     IrNode *nodes;
     size_t count, room;
     Ref *args;
@@ -177,6 +185,11 @@ static inline const double *ir_known(const Ir *ir, Ref ref)
            : ir_is(ir, ref, OP_member) ? ir->constants[ir->nodes[ref].payload].numbers
                                        : NULL;
 }
+static inline bool ir_is_head(const Ir *ir, Ref ref) { return ir->nodes[ref].flags & NODE_head; }
+static inline void ir_set_head(Ir *ir, Ref ref, bool head)
+{
+    ir->nodes[ref].flags = (uint8_t)((ir->nodes[ref].flags & ~NODE_head) | (head ? NODE_head : 0));
+}
 /* It runs a function of the program, which its payload numbers. */
 static inline bool ir_applies(const Ir *ir, Ref ref) { return op_payload[ir->nodes[ref].op] == PAYLOAD_function; }
 /* A constant all of whose lanes are `value`. */
@@ -203,14 +216,16 @@ enum { KERNEL_POINTS = 27 }; /* of a function that a kernel sums */
 void ir_rehash(Ir *ir);
 /* Marks the nodes that the outputs reach, through functions too: live[ref]. */
 uint8_t *ir_live(const Ir *ir, Arena *arena);
+/* The same, kept until an output or a node changes. */
+const uint8_t *ir_live_kept(Ir *ir);
 /* Marks what marked ones reach, of which `last` is the last. */
 void ir_live_below(const Ir *ir, uint8_t *live, Ref last);
 /* One sweep over the live nodes, operands first: each is remade on its new operands and given to `rewrite`, which returns what stands
  * for it, or the node itself. Whether anything changed. */
 typedef Ref IrRewrite(Ir *ir, Ref ref, const void *user);
 bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user);
-/* The same where it is known which are live. */
-bool ir_sweep_live(Ir *ir, const uint8_t *live, IrRewrite *rewrite, const void *user);
+/* The same, where nodes with the flag NODE_ need not be given to `rewrite`: it would leave them. 0: all are. */
+bool ir_sweep_unsettled(Ir *ir, uint8_t settled, IrRewrite *rewrite, const void *user);
 /* What some roots need, functions that are run left out: users before operands. One is used for many roots in turn. */
 typedef struct {
     Arena *arena;

@@ -43,7 +43,7 @@ static Ref remake(Ir *ir, Ref ref, const Moves *moves)
         return ref;
     Ref made = ir_make(ir, node, args);
     if (!ir_is(ir, made, OP_const))
-        ir->nodes[made].head |= node.head;
+        ir_set_head(ir, made, ir_is_head(ir, made) || node.flags & NODE_head);
     return made;
 }
 
@@ -57,29 +57,41 @@ static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
     }
 }
 
-bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user)
+/* What stands for it is the head of its map where it is. */
+static void pass_head(Ir *ir, Ref old, Ref better)
 {
-    return ir_sweep_live(ir, ir_live(ir, &ir->scratch), rewrite, user);
+    if (ir_is_head(ir, old) && ir->nodes[better].origin == ir->nodes[old].origin)
+        ir_set_head(ir, better, true);
 }
 
-bool ir_sweep_live(Ir *ir, const uint8_t *live, IrRewrite *rewrite, const void *user)
+bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user) { return ir_sweep_unsettled(ir, 0, rewrite, user); }
+
+bool ir_sweep_unsettled(Ir *ir, uint8_t settled, IrRewrite *rewrite, const void *user)
 {
+    const uint8_t *live = ir_live_kept(ir);
     Moves moves = new_moves(ir, &ir->scratch);
     Ref count = (Ref)ir->count;
     for (Ref ref = 1; ref < count; ref++) {
         if (!live[ref])
             continue;
+        moves.node[ref] = ref;
+        if (!moves.any && ir->nodes[ref].flags & settled)
+            continue;
         ir->origin = ir->nodes[ref].origin;
-        Ref better = rewrite(ir, moves.any ? remake(ir, ref, &moves) : ref, user);
-        moves.node[ref] = better;
+        Ref better = moves.any ? remake(ir, ref, &moves) : ref;
+        if (!(ir->nodes[better].flags & settled))
+            better = rewrite(ir, better, user);
         if (better == ref)
             continue;
+        moves.node[ref] = better;
         moves.any = true;
-        if (ir->nodes[ref].head && !ir->nodes[better].head && ir->nodes[better].origin == ir->origin)
-            ir->nodes[better].head = 1;
+        pass_head(ir, ref, better);
         move_functions(ir, &moves, ref, better);
     }
+    if (!moves.any)
+        return false;
+    ir->live = NULL;
     for (int i = 0; i < ir->output_count; i++)
         ir->outputs[i].value = moves.node[ir->outputs[i].value];
-    return moves.any;
+    return true;
 }

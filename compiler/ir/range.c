@@ -313,15 +313,19 @@ static Interval kernel_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return times(apply_range(r, ir, ref, lane), between(KERNEL_POINTS, KERNEL_POINTS));
 }
 
+/* What is no operand may be anything. */
+static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode *node, int i, int lane)
+{
+    return i < node->count ? range_of(r, ir, ir->args[node->first + (uint32_t)i], lane) : everything;
+}
+
 /* Of an operation that works lane by lane: the RANGE lines of ops.def. */
 static Interval lane_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const IrNode *node = ir_at(ir, ref);
     const bool squared = node->count == 2 && ir_arg(ir, ref, 0) == ir_arg(ir, ref, 1);
-    Interval x[3] = {everything, everything, everything}, a, b, c;
-    for (int i = 0; i < node->count && i < 3; i++)
-        x[i] = range_of(r, ir, ir_arg(ir, ref, i), lane);
-    a = x[0], b = x[1], c = x[2];
+    const Interval a = operand_range(r, ir, node, 0, lane), b = operand_range(r, ir, node, 1, lane),
+                   c = operand_range(r, ir, node, 2, lane);
     switch (node->op) {
 #define RANGE(name, interval)                                                                                          \
     case OP_##name:                                                                                                    \

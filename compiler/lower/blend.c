@@ -34,7 +34,7 @@ Ref blend_guarded(Lower *l, Ref shown, Ref value)
     Ir *ir = l->ir;
     Ref guard = build_guard(ir, shown, value);
     ir->nodes[guard].origin = ir->nodes[value].origin;
-    ir->nodes[guard].head = ir->nodes[value].head;
+    ir_set_head(ir, guard, ir_is_head(ir, value));
     return guard;
 }
 

@@ -110,10 +110,10 @@ void lower_mark_head(Ir *ir, Ref value, uint32_t origin)
 {
     value = repeated(ir, value);
     IrNode *node = &ir->nodes[value];
-    if (node->op == OP_const || node->op == OP_input || node->op == OP_attribute || node->head)
+    if (node->op == OP_const || node->op == OP_input || node->op == OP_attribute || ir_is_head(ir, value))
         return;
     node->origin = origin;
-    node->head = 1;
+    ir_set_head(ir, value, true);
 }
 
 /* What the draw says is an input where it is asked for, and nothing before. */

@@ -43,9 +43,8 @@ static inline bool opt_may_power(const Ir *ir, Ref ref) { return ir_is(ir, ref, 
 
 typedef struct {
     const uint32_t *uses;
-    const uint8_t *live;
     Ref count; /* of nodes when the uses were counted */
 } Uses;
-/* How often each node is used by live nodes, outputs and functions, and which are live. */
-Uses opt_uses(const Ir *ir, Arena *arena);
+/* How often each node is used by live nodes, outputs and functions; from then on ir_live_kept knows which are live. */
+Uses opt_uses(Ir *ir, Arena *arena);
 #endif

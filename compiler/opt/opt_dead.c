@@ -82,7 +82,7 @@ static void compact_node(Ir *ir, IrNode node, const Numbers *numbers)
 bool opt_dead(Ir *ir)
 {
     Arena *scratch = &ir->scratch;
-    uint8_t *live = ir_live(ir, scratch);
+    uint8_t *live = memcpy(arena_alloc(scratch, ir->count), ir_live_kept(ir), ir->count);
     Ref *moved = ARENA_ARRAY(scratch, Ref, ir->count), count = (Ref)ir->count, next = 1;
     int *number = renumber_functions(ir, live, scratch);
     for (size_t f = 0; f < ir->function_count; f++) /* a called function keeps all its arguments */

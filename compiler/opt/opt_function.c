@@ -78,9 +78,9 @@ static void read_lanes(const Ir *ir, Ref value, uint32_t lanes, uint32_t *read)
 }
 
 /* Which lanes of each function's result are read of any of its calls. */
-static uint32_t *lanes_read(const Ir *ir, Arena *scratch)
+static uint32_t *lanes_read(Ir *ir, Arena *scratch)
 {
-    const uint8_t *live = ir_live(ir, scratch);
+    const uint8_t *live = ir_live_kept(ir);
     uint32_t *read = ARENA_ARRAY(scratch, uint32_t, ir->function_count + 1);
     for (Ref ref = 1; ref < ir->count; ref++)
         for (int i = 0; live[ref] && i < ir_at(ir, ref)->count; i++)

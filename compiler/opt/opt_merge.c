@@ -64,7 +64,7 @@ bool opt_merge(Ir *ir)
     for (Ref ref = 1; ref < ir->count; ref++) {
         if (!ir_is(ir, ref, OP_call) || ir_type(ir, ref) != TYPE_vec4)
             continue;
-        live = live ? live : ir_live(ir, &ir->scratch);
+        live = live ? live : ir_live_kept(ir);
         if (live[ref])
             keep(ir, &gradients, ref);
     }

@@ -15,44 +15,49 @@ static unsigned rules_for(const Ir *ir, Ref ref)
            (unsigned)opt_may_select(ir, ref) << SELECT | (unsigned)opt_may_power(ir, ref) << POWER;
 }
 
-/* Whatever is known of uses, no rule changes it, but for a swizzle, which goes by them. */
-static bool is_simple(const Ir *ir, Ref ref) { return ir_at(ir, ref)->simple || !ir_at(ir, ref)->count; }
+/* No rule was found to change it. Rules of swizzles alone are told of uses: any other node stays as simple as it was when it was made. */
+static void settle(Ir *ir, Ref ref)
+{
+    ir->nodes[ref].flags |= ir_is(ir, ref, OP_swizzle) ? NODE_simple : NODE_simple | NODE_final;
+}
 
 /* In turns, until none of them changes what the others left. */
 static Ref apply_rules(Ir *ir, Ref ref, const void *user)
 {
     unsigned left = rules_for(ir, ref); /* to be asked of the node */
-    for (int run = 0; left && run < MOST_REWRITES * RULE_COUNT; run++) {
-        const int rule = run % RULE_COUNT;
-        const Ref better = left >> rule & 1 ? rules[rule](ir, ref, user) : ref;
+    int rule = 0;
+    for (int run = 0; left && run < MOST_REWRITES * RULE_COUNT; run++, rule = rule + 1 < RULE_COUNT ? rule + 1 : 0) {
+        if (!(left >> rule & 1))
+            continue;
+        const Ref better = rules[rule](ir, ref, user);
         left &= ~(1u << rule);
         if (better == ref)
             continue;
-        if (is_simple(ir, better) && !ir_is(ir, better, OP_swizzle))
+        if (ir_at(ir, better)->flags & NODE_final)
             return better;
         ref = better;
         left = rules_for(ir, ref);
     }
-    ir->nodes[ref].simple = !left;
+    if (!left)
+        settle(ir, ref);
     return ref;
 }
 
 Ref opt_simplify(Ir *ir, Ref ref)
 {
     static const Uses unknown = {0};
-    return ir_at(ir, ref)->count ? apply_rules(ir, ref, &unknown) : ref; /* a leaf is as simple as can be */
+    return ir_at(ir, ref)->flags & NODE_final ? ref : apply_rules(ir, ref, &unknown);
 }
 
-/* Uses are told to rules of swizzles alone: any other node is as simple as when it was made. */
+/* Of a simple node that is not final, a swizzle, the rule that goes by uses is asked, before the others. */
 static Ref polish(Ir *ir, Ref ref, const void *user)
 {
-    if (is_simple(ir, ref) && (!ir_is(ir, ref, OP_swizzle) || opt_rewrite_swizzle(ir, ref, user) == ref))
-        return ref;
-    return apply_rules(ir, ref, user);
+    const bool simple = ir_at(ir, ref)->flags & NODE_simple;
+    return simple && opt_rewrite_swizzle(ir, ref, user) == ref ? ref : apply_rules(ir, ref, user);
 }
 
 bool opt_polish(Ir *ir)
 {
     const Uses uses = opt_uses(ir, &ir->scratch);
-    return ir_sweep_live(ir, uses.live, polish, &uses);
+    return ir_sweep_unsettled(ir, NODE_final, polish, &uses);
 }

@@ -93,8 +93,6 @@ static Ref only_value(Ir *ir, Ref ref, const Known *known)
 static Ref decide(Ir *ir, Ref ref, const void *user)
 {
     const Known *known = user;
-    if (ir_at(ir, ref)->decided)
-        return ref;
     Site site = {ir, known->ranges, 0};
     bool holds; /* of all lanes */
     int lanes;
@@ -114,13 +112,14 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
         break;
     }
     const Ref only = only_value(ir, ref, known);
-    ir->nodes[ref].decided = only == ref && range_is_found(known->ranges, ref);
+    if (only == ref && range_is_found(known->ranges, ref))
+        ir->nodes[ref].flags |= NODE_decided;
     return only;
 }
 
 bool opt_range(Ir *ir)
 {
-    const uint8_t *live = ir_live(ir, &ir->scratch);
+    const uint8_t *live = ir_live_kept(ir);
     const bool *steps = NULL;
     if (!ir->ranges) {
         ir->ranges = ARENA_NEW(&ir->kept, Ranges);
@@ -128,5 +127,5 @@ bool opt_range(Ir *ir)
     }
     range_find_live(ir->ranges, ir, &ir->kept, live);
     const Known known = {ir->ranges, &steps};
-    return ir_sweep_live(ir, live, decide, &known);
+    return ir_sweep_unsettled(ir, NODE_decided, decide, &known);
 }

@@ -125,7 +125,7 @@ static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
     uint32_t lanes = ir_at(ir, ref)->payload, composed = 0;
     int count = ir_lanes(ir, ref);
     Ref a = ir_arg(ir, ref, 0);
-    if (ir_at(ir, ref)->simple)
+    if (ir_at(ir, ref)->flags & NODE_simple)
         return push_down(ir, ref, uses, PUSH_DEPTH);
     bool identity = count == ir_lanes(ir, a);
     for (int i = 0; i < count; i++)
@@ -193,5 +193,5 @@ Ref opt_rewrite_swizzle(Ir *ir, Ref ref, const void *user)
 bool opt_swizzle(Ir *ir)
 {
     const Uses uses = opt_uses(ir, &ir->scratch);
-    return ir_sweep_live(ir, uses.live, opt_rewrite_swizzle, &uses);
+    return ir_sweep(ir, opt_rewrite_swizzle, &uses);
 }

@@ -2,9 +2,9 @@
  * sweep down finds who is live, since some live one uses it, and counts. */
 #include "compiler/opt/opt.h"
 
-Uses opt_uses(const Ir *ir, Arena *arena)
+Uses opt_uses(Ir *ir, Arena *arena)
 {
-    uint8_t *live = ARENA_ARRAY(arena, uint8_t, ir->count);
+    uint8_t *live = ARENA_ARRAY(&ir->kept, uint8_t, ir->count);
     uint32_t *uses = ARENA_ARRAY(arena, uint32_t, ir->count);
     bool *applied = ARENA_ARRAY(arena, bool, ir->function_count + 1); /* those that others have replaced use nothing */
     for (int i = 0; i < ir->output_count; i++)
@@ -21,5 +21,7 @@ Uses opt_uses(const Ir *ir, Arena *arena)
             uses[ir->functions[node->payload].result]++;
         }
     }
-    return (Uses){uses, live, (Ref)ir->count};
+    ir->live = live;
+    ir->live_count = ir->count;
+    return (Uses){uses, (Ref)ir->count};
 }
