@@ -6,6 +6,7 @@
  *     c = u * u; c + c     0 value u    1 multiply 0 0   2 add 1 1: a local is the step that it was given */
 #ifndef MATC_FORMULA_H
 #define MATC_FORMULA_H
+#include "compiler/base/names.h"
 #include "compiler/base/session.h"
 #include "grammar/expression_tables.h"
 
@@ -76,8 +77,8 @@ typedef struct {
 
 /* NULL: see the diagnostics. */
 Formula *formula_read(const FormulaSource *source);
-/* Names and widths; false and diagnostics. formula_check.c */
-bool formula_check(const FormulaSource *source, Formula *formula);
+/* Names and widths; false and diagnostics, which propose locals, too. formula_check.c */
+bool formula_check(const FormulaSource *source, Formula *formula, const Names *locals);
 
 /* What a formula reads, and where its values go: so many doubles for each step. formula_value.c */
 typedef struct {

@@ -10,6 +10,7 @@ typedef struct {
     const FormulaSource *s;
     Session *session;
     Formula *f;
+    const Names *locals;
     bool *varies; /* by step: it goes by the point or by an input */
     bool failed;
 } Check;
@@ -43,8 +44,15 @@ static int fail(Check *c)
 
 static const char *value_name(const void *user, int i)
 {
-    const FormulaSource *s = user;
-    return i < QUANTITY_COUNT ? quantity_table[i].name : s->names.name(s->names.user, i - QUANTITY_COUNT);
+    const Check *c = user;
+    const int local = i - QUANTITY_COUNT, input = local - (int)c->locals->count;
+    const NameChoice *inputs = &c->s->names;
+    return local < 0 ? quantity_table[i].name : input < 0 ? c->locals->at[local] : inputs->name(inputs->user, input);
+}
+
+static const char *value_suggested(const Check *c, const char *name)
+{
+    return diag_suggest(c->session, name, value_name, c, QUANTITY_COUNT + (int)c->locals->count + c->s->names.count);
 }
 
 /* A built-in value that is an attribute of the mesh. */
@@ -89,7 +97,7 @@ static int find_name(Check *c, FormulaStep *step)
         diag_add(c->session, span_of(c, step), DIAG_formula_is_function, name, name);
     else if (input == FORMULA_UNKNOWN) {
         const char *hint = formula_foreign(c->session, name);
-        hint = hint ? hint : diag_suggest(c->session, name, value_name, c->s, QUANTITY_COUNT + c->s->names.count);
+        hint = hint ? hint : value_suggested(c, name);
         diag_add(c->session, span_of(c, step), DIAG_formula_unknown, name, hint);
     }
     return fail(c);
@@ -271,10 +279,10 @@ static void measure(Check *c, uint32_t number)
     c->f->jumps |= c->varies[number] && jumps(c->f, step);
 }
 
-bool formula_check(const FormulaSource *source, Formula *f)
+bool formula_check(const FormulaSource *source, Formula *f, const Names *locals)
 {
     const uint32_t count = (uint32_t)f->count;
-    Check c = {.s = source, .session = source->session, .f = f};
+    Check c = {.s = source, .session = source->session, .f = f, .locals = locals};
     c.varies = ARENA_ARRAY(c.session->arena, bool, count);
     for (uint32_t i = 0; i < count; i++) {
         const int width = width_of(&c, &f->steps[i]);

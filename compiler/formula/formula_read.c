@@ -90,5 +90,5 @@ Formula *formula_read(const FormulaSource *source)
     read_parts(&r);
     if (r.f->count == 0)
         return NULL;
-    return formula_check(source, r.f) && !r.faults ? r.f : NULL;
+    return formula_check(source, r.f, &r.locals) && !r.faults ? r.f : NULL;
 }

@@ -12,6 +12,7 @@ typedef struct {
     Resolver *r;
     const Tree *text, *with; /* with: NULL for none */
     const Tree *arguments;   /* of the definition's parameters, for those that the text names; NULL for none */
+    const Tree *parameters;  /* of that definition, found where a name is unknown; NULL for none */
     uint32_t skipped;        /* bytes of the text before the formula */
     Item *items;
     size_t count, room;
@@ -38,10 +39,32 @@ static const Tree *arguments_of(const Tree *text)
     return text->scoped ? ((const ScopedTree *)(const void *)text)->arguments : NULL;
 }
 
-/* Names of `with:`, then of definitions. */
+static bool stands_in(const Tree *text, const Tree *tree)
+{
+    return tree->span.file == text->span.file && tree->span.start <= text->span.start &&
+           text->span.end <= tree->span.end;
+}
+
+/* The parameters of the definition in which the text stands. */
+static const Tree *parameters_around(const Inputs *in)
+{
+    for (size_t k = 0; k < in->r->def_count; k++)
+        for (uint32_t i = 0; i < in->r->defs[k]->count; i++) {
+            const Tree *definition = in->r->defs[k]->members[i].value;
+            const Member *params = tree_find(definition, "params");
+            if (params && params->value->kind == TREE_object && stands_in(in->text, definition))
+                return params->value;
+        }
+    return NULL;
+}
+
+/* Names of parameters, of `with:`, then of definitions. */
 static const char *name_of(const void *user, int i)
 {
     const Inputs *in = user;
+    if (i < LIMIT_DEFINITION_PARAMS)
+        return in->parameters && i < (int)in->parameters->count ? in->parameters->members[i].key : NULL;
+    i -= LIMIT_DEFINITION_PARAMS;
     if (in->with && i < (int)in->with->count)
         return in->with->members[i].key;
     i -= in->with ? (int)in->with->count : 0;
@@ -55,7 +78,7 @@ static const char *name_of(const void *user, int i)
 
 static int name_count(const Inputs *in)
 {
-    size_t count = in->with ? in->with->count : 0;
+    size_t count = LIMIT_DEFINITION_PARAMS + (in->with ? in->with->count : 0);
     for (size_t k = 0; k < in->r->def_count; k++)
         count += in->r->defs[k]->count;
     return (int)count;
@@ -80,6 +103,7 @@ static int say_unknown(Inputs *in, const char *name, const FormulaStep *step)
     Text hint = text_new(r->session->arena);
     if (r->lacks_file)
         return FORMULA_SAID;
+    in->parameters = parameters_around(in);
     if (names_find(&r->uniform_names, name) < 0)
         return FORMULA_UNKNOWN;
     text_format(&hint, "; a formula reads the param by `with: { %s: { param: %s, default: ... } }`", name, name);
@@ -137,7 +161,8 @@ static int find_attribute(void *user, const FormulaAttribute *given)
         return FORMULA_SAID;
     }
     MeshAttribute *attribute = ARENA_NEW(r->session->arena, MeshAttribute);
-    *attribute = (MeshAttribute){.name = given->name, .type = given->type, .span = span, .index = (int)r->attribute_count};
+    *attribute =
+        (MeshAttribute){.name = given->name, .type = given->type, .span = span, .index = (int)r->attribute_count};
     memcpy(attribute->initial, given->initial, sizeof attribute->initial);
     ARENA_PUSH(r->session->arena, r->attributes, r->attribute_count, r->attribute_room, attribute);
     return names_add(r->session->arena, &r->attribute_names, attribute->name);

@@ -64,7 +64,7 @@ const char *resolve_parameter_type(ParameterType type) { return type_names[type]
 /* Maps stand for colours and colours for maps. */
 static bool fits(ParameterType type, const Tree *tree)
 {
-    static const char *const transforms[] = {"scale", "translation", "rotation", "shear", "matrix"};
+    static const char *const others[] = {"map", "material", "wave", "ref"}; /* what else is wrong in it is told by name */
     const bool scalar = tree->kind == TREE_scalar, object = tree->kind == TREE_object;
     switch (type) {
     case PARAMETER_number:
@@ -77,7 +77,7 @@ static bool fits(ParameterType type, const Tree *tree)
     case PARAMETER_wave:
         return (scalar && !is_number(tree)) || (object && tree_find(tree, "wave"));
     case PARAMETER_transform:
-        return object && has_any(tree, transforms, 5);
+        return object && !has_any(tree, others, 4);
     case PARAMETER_bool:
         return is_truth(tree);
     default:
