@@ -256,6 +256,8 @@ static const struct {
     {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0060}},
     {"{ map: Granite }", {.0018, .0079, .0055}},
     {"{ map: Granite, waveForm: Sqr }", {.0025, .0020, .0057}},
+    {"'= turbulence(p, 1)'", {.011, .011, .011}}, /* the root of .65 of the variance for the mean of the magnitude */
+    {"'= turbulence(p, 4, 2, .7)'", {.03, .03, .03}},
     {"{ map: Gradient, direction: [1, 1, 1], waveForm: Sqr, input: { map: Turbulence, amount: [1, 1, 1], octaves: 1 } "
      "}",
      {.0048, .0158, .0063}},

@@ -243,7 +243,26 @@ static void every_term_is_total(void **state)
         }
 }
 
-/* What is made to exhaust stack, memory or time. */
+/* What is proposed of names that are no builtin's: a local, before its value and after it; nothing that is far from all. */
+static void misspelt_names_are_told(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {{"shade = u; shaed * 2", "did you mean 'shade'?"},
+                                           {"shaed = grian; grain = 2; shaed", "did you mean 'grain'?"},
+                                           {"shade = u; facng * shade", "did you mean 'facing'?"},
+                                           {"shade = u; quite", "called 'quite' here"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Fixture f;
+        open_fixture(&f);
+        assert_null(read_text(&f, cases[i][0]));
+        assert_int_equal(f.session.diags.errors, 1);
+        const char *message = f.session.diags.at->message, *found = strstr(message, cases[i][1]);
+        if (!found || strcmp(found, cases[i][1]))
+            fail_msg("%s: %s", cases[i][0], message);
+        arena_free(&f.arena);
+    }
+}
+
 /* What a message says of another language's name is said of no name of ours. */
 static void foreign_names_are_not_ours(void **state)
 {
@@ -260,6 +279,7 @@ static void foreign_names_are_not_ours(void **state)
     }
 }
 
+/* What is made to exhaust stack, memory or time. */
 static void hostile_texts_end(void **state)
 {
     (void)state;
@@ -319,8 +339,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(examples_are_as_they_say), cmocka_unit_test(operators_bind_as_in_mathematics),
-        cmocka_unit_test(faults_are_told),          cmocka_unit_test(every_term_is_total),
-        cmocka_unit_test(foreign_names_are_not_ours),
+        cmocka_unit_test(faults_are_told),          cmocka_unit_test(misspelt_names_are_told),
+        cmocka_unit_test(every_term_is_total),      cmocka_unit_test(foreign_names_are_not_ours),
         cmocka_unit_test(hostile_texts_end),        cmocka_unit_test(long_formulas_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -133,6 +133,23 @@ static void octaves_at(const Whole *w, double *result)
     octaves(w, FN_turbulence, (const double[]){w->b[0], w->c[0], w->d[0]}, result);
 }
 
+/* An octave at a time, each folded at 0. */
+static void folded_at(const Whole *w, double *result)
+{
+    const double finer = clamp(*w->c, -16, 16), weaker = clamp(*w->d, -16, 16);
+    double at[3] = {w->a[0], w->a[1], w->a[2]}, strength = 1;
+    Whole octave = *w;
+    octave.a = at;
+    *result = 0;
+    for (int k = 0; k < *w->b; k++, strength *= weaker) {
+        double noise;
+        noise_at(&octave, &noise);
+        *result += strength * fabs(noise);
+        for (int i = 0; i < 3; i++)
+            at[i] *= finer;
+    }
+}
+
 static void vector_octaves_at(const Whole *w, double *result)
 {
     octaves(w, FN_vectorTurbulence, (const double[]){w->b[0], w->c[0], w->d[0]}, result);

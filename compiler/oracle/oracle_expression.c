@@ -68,7 +68,7 @@ static void attributes_at(const Environment *environment, double result[LIMIT_AT
 
 static double noise_work(const Formula *f, const FormulaStep *step)
 {
-    const bool octaves = step->row == TERM_fbm || step->row == TERM_fbm3;
+    const bool octaves = step->row == TERM_fbm || step->row == TERM_fbm3 || step->row == TERM_turbulence;
     if (step->kind == FORMULA_term && (step->row == TERM_cells || step->row == TERM_celledge))
         return CALL_WORK * function_row(FN_cells3)->cost;
     if (step->kind != FORMULA_term || (!octaves && step->row != TERM_noise && step->row != TERM_noise3))

@@ -152,18 +152,38 @@ uint octahedralBits(vec3 n, int bits) {
     return code.x | code.y << bits;
 }
 
+// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
+// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
+// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+uint sharedExponentBits(vec3 v, int bits) {
+    float steps = float(1 << bits);
+    vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);
+    float greatest = max(max(c.x, c.y), max(c.z, 1.0 / 65536.0));
+    int e = int(floatBitsToUint(greatest) >> 23) - 111;
+    float scale = uintBitsToFloat(uint(142 + bits - e) << 23);
+    if (floor(greatest * scale + 0.5) >= steps) { e += 1; scale *= 0.5; }
+    uvec3 m = uvec3(floor(c * scale + 0.5));
+    return m.x | m.y << bits | m.z << (2 * bits) | uint(e) << (3 * bits);
+}
+
 void main() {
     // expressionNoise.yaml:3 Expression
-    float diffuse_expression = turbulence(vectorTurbulence(localPosition * 2.0, 3, 2.0, 0.5) + localPosition * 4.0, 1, 2.0, 0.5) * 0.5 + 0.5;
+    vec3 diffuse_expression_1 = localPosition * 2.0;
+    float diffuse_expression = turbulence(vectorTurbulence(diffuse_expression_1, 3, 2.0, 0.5) + localPosition * 4.0, 1, 2.0, 0.5) * 0.5 + 0.5;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // expressionNoise.yaml:5 Expression
     float ambient_expression = turbulence(vec3(uv * 4.0, 0.0), 4, 2.0, 0.6) * 0.2 + 0.5;
     uint ambient_bits = rootBits(ambient_expression, 5);
+    // expressionNoise.yaml:6 Expression
+    vec3 emissive_expression_1 = diffuse_expression_1 * 2.0;
+    float emissive_expression_2 = abs(turbulence(emissive_expression_1 * 2.0, 1, 2.0, 0.5)) * 0.25 + (abs(turbulence(emissive_expression_1, 1, 2.0, 0.5)) * 0.5 + abs(turbulence(diffuse_expression_1, 1, 2.0, 0.5)));
+    float emissive_expression_3 = abs(turbulence(clamp(uv.x + 2.0, -16.0, 16.0) * localPosition, 1, 2.0, 0.5)) * -0.5 + abs(turbulence(localPosition, 1, 2.0, 0.5));
+    float emissive_expression = emissive_expression_3 * 0.1 + emissive_expression_2 * 0.4;
     uint diffuse_bits = rootBits(diffuse_expression, 8);
     // expressionNoise.yaml:4 Expression
     vec3 specular_expression = vectorTurbulence(localPosition * 3.0, 1, 2.0, 0.5) * 0.3 + 0.5;
     uint surface_bits = diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | rootBits(specular_expression.x, 8) << 24;
     uint surface_bits2 = rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | ambient_bits << 16 | 645922816u;
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | ambient_bits << 27 | 67108864u, ambient_bits << 26, surface_bits, surface_bits2);
+    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | ambient_bits << 27 | 67108864u, sharedExponentBits(vec3(emissive_expression), 7) | ambient_bits << 26, surface_bits, surface_bits2);
     fragment0 = surface_bits3;
 }
