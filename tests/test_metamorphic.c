@@ -268,6 +268,19 @@ static const Rule rules[] = {
      "color2: %b } } }\nref: p\ndark: %a\n",
      SLOT_emissive,
      {bits, true}},
+    {PHONG("{ map: Checker, color1: { map: Checker, color1: %a, color2: %b }, color2: %b }"),
+     "defs: { p: { params: { dark: black }, map: Checker, color1: { param: dark }, color2: %b } }\nmaterial: Phong\n"
+     "emissive: { ref: p, dark: { ref: p, dark: %a } }\n", /* a use of what it is given to, which is no circle */
+     SLOT_emissive,
+     {bits, true}},
+    {"material: Mix\nmask: 0.25\na: { material: Mix, mask: 0.25, a: { material: Phong, emissive: %a }, b: { material: "
+     "Phong, "
+     "emissive: %b } }\nb: { material: Phong, emissive: %b }\n",
+     "defs: { m: { params: { t: { type: material } }, material: Mix, mask: 0.25, a: { param: t }, b: { material: "
+     "Phong, "
+     "emissive: %b } } }\nref: m\nt: { ref: m, t: { material: Phong, emissive: %a } }\n",
+     SLOT_emissive,
+     {bits, true}},
     {"material: RGBA\nr: 0.25\na: 0.75\n",
      "material: Phong\ndiffuse: [0.25, 0.5, 0.5]\ntransparency: 0.25\n",
      SLOT_transparency,

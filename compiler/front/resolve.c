@@ -228,6 +228,32 @@ static const Member *find_def(Resolver *r, const Tree *name)
     return r->lacks_file ? NULL : diag_add(r->session, name->span, DIAG_unknown_ref, name->text, near);
 }
 
+static bool says_material(Resolver *r, const Tree *tree)
+{
+    const Member *ref = tree_find(tree, "ref");
+    bool material = tree_find(tree, "material") != NULL;
+    for (size_t i = 0; i < r->def_count && ref && ref->value->kind == TREE_scalar && !material; i++) {
+        const Member *def = tree_find(r->defs[i], ref->value->text);
+        material = def && tree_find(def->value, "material");
+    }
+    return material;
+}
+
+/* Maps and materials that a use gives are made before its definition is open: they may use it, too. Their faults are said there, and once. */
+static void resolve_given(Resolver *r, const Tree *use)
+{
+    for (uint32_t i = 0; i < use->count; i++) {
+        Tree *given = use->members[i].value;
+        bool fault = false;
+        if (given->kind != TREE_object || !(tree_find(given, "map") || tree_find(given, "material") || tree_find(given, "ref")))
+            continue;
+        if (says_material(r, given))
+            resolve_material(r, given, &fault);
+        else
+            resolve_map(r, given, &fault);
+    }
+}
+
 static const Node *resolve_use(Resolver *r, Tree *use, const Member *def, bool material)
 {
     bool fault = false;
@@ -235,6 +261,10 @@ static const Node *resolve_use(Resolver *r, Tree *use, const Member *def, bool m
     if (!tree)
         return NULL;
     const Member *outer = r->definition;
+    const char *owner = r->owner;
+    r->owner = def->key;
+    resolve_given(r, use);
+    r->owner = owner;
     r->definition = def;
     def->value->open = true;
     const Node *node = material ? resolve_material(r, tree, &fault) : resolve_map(r, tree, &fault);
