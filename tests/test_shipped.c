@@ -118,9 +118,38 @@ static void the_picture_is_of_all(void **state)
     matc_document_free(document);
 }
 
+/* wornEdges goes by the slope of a height, not by how high it is: 20 u tilts a normal by 58 degrees. */
+static void edges_are_worn_where_steep(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *height;
+        double shown; /* what is below */
+    } cases[] = {{"20", 0}, {"20 * u", 1}, {"-20 * v", 1}, {"u < .5 ? u : 20 * u", 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[LONGEST], shown[64];
+        const char *fault = NULL;
+        snprintf(text, sizeof text,
+                 "include: worn.yaml\nmaterial: Phong\ndiffuse: { ref: wornEdges, coat: 0, under: 1, height: \"= %s\", "
+                 "size: 0.01 }\n",
+                 cases[i].height);
+        MatcDocument *document = read(text);
+        MatcOptions options;
+        matc_options_init(&options);
+        char *values = matc_eval(document, 0, "u=.3 v=.2 x=.1 y=.5", &options, &fault);
+        assert_non_null(values);
+        snprintf(shown, sizeof shown, "\ndiffuse %.1f %.1f %.1f\n", cases[i].shown, cases[i].shown, cases[i].shown);
+        if (!strstr(values, shown))
+            fail_msg("%s: %s", cases[i].height, values);
+        free(values);
+        matc_document_free(document);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(definitions_are_what_they_say),
-                                       cmocka_unit_test(the_picture_is_of_all)};
+                                       cmocka_unit_test(the_picture_is_of_all),
+                                       cmocka_unit_test(edges_are_worn_where_steep)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
