@@ -267,7 +267,7 @@ static const struct {
     bool (*run)(Ir *ir);
 } passes[] = {{"fold", opt_fold},         {"algebra", opt_algebra}, {"swizzle", opt_swizzle}, {"select", opt_select},
               {"power", opt_power},       {"range", opt_range},     {"polish", opt_polish},   {"dead", opt_dead},
-              {"function", opt_function}, {"centre", opt_centre}};
+              {"function", opt_function}, {"centre", opt_centre}, {"group", opt_group}};
 
 /* One pass on text IR; then the text again, and the check. */
 static void run_pass(Run *run, const char *name)

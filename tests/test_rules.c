@@ -50,11 +50,11 @@ static const RuleCase sums[] = {
     {"sub(1, sub(1, x))", "x"},
     {"sub([1, 1, 1], sub(1, x))", "v.xxx"},
     {"sub(1, sub([1, 1, 1], v))", "v"},
-    {"sub(2, sub(1, x))", NULL},
-    {"sub(1, sub(2, x))", NULL},
-    {"sub(1, sub([1, 1, 2], v))", NULL},
-    {"sub(1, sub(x, 1))", NULL},
-    {"sub(1, add(x, 1))", NULL},
+    {"sub(2, sub(1, x))", "add(x, 1)"},
+    {"sub(1, sub(2, x))", "sub(x, 1)"},
+    {"sub(1, sub([1, 1, 2], v))", "add(v, [0, 0, -1])"},
+    {"sub(1, sub(x, 1))", "sub(2, x)"},
+    {"sub(1, add(x, 1))", "neg(x)"},
     {"sub(v, [-1, 0, -3])", NULL},
 };
 

@@ -15,6 +15,7 @@ bool opt_range(Ir *ir);        /* bounds that cannot be reached, comparisons tha
 bool opt_function(Ir *ir);     /* functions that do not use their arguments, or not all; unread lanes of results */
 bool opt_merge(Ir *ir);        /* a value whose gradient is computed anyhow -> a lane of that */
 bool opt_centre(Ir *ir);       /* half a texel that is taken and added -> neither */
+bool opt_group(Ir *ir);        /* constants of a sum, or of a product, together */
 bool opt_trigonometry(Ir *ir); /* sines and arcs -> functions of a bounded error */
 bool opt_guard(Ir *ir);        /* guards that spare nothing -> the value; the others are selects from then on */
 bool opt_polish(Ir *ir);       /* the local rules together, with what is known of uses */
@@ -22,12 +23,13 @@ bool opt_polish(Ir *ir);       /* the local rules together, with what is known o
 Ref opt_simplify(Ir *ir, Ref ref);
 bool opt_dead(Ir *ir); /* drops what the outputs do not reach */
 
-/* The local rules: what stands for a node, or the node itself. Swizzle's `user` is a Uses. */
+/* The local rules: what stands for a node, or the node itself. `user` of swizzle and group is a Uses. */
 Ref opt_rewrite_fold(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_swizzle(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_select(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user);
+Ref opt_rewrite_group(Ir *ir, Ref ref, const void *user);
 /* Which nodes they may change, as far as a glance tells: most nodes most rules have nothing to say of. */
 static inline bool opt_may_fold(const Ir *ir, Ref ref)
 {
@@ -40,10 +42,21 @@ static inline bool opt_may_select(const Ir *ir, Ref ref)
            (ir_at(ir, ref)->count && ir_is(ir, ir_arg(ir, ref, 0), OP_select));
 }
 static inline bool opt_may_power(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_pow) || ir_is(ir, ref, OP_call); }
+static inline bool opt_is_term(const Ir *ir, Ref ref)
+{
+    const Op op = (Op)ir_at(ir, ref)->op;
+    return (op == OP_add || op == OP_sub || op == OP_mul || op == OP_div) &&
+           (ir_is(ir, ir_arg(ir, ref, 1), OP_const) || ir_is(ir, ir_arg(ir, ref, 0), OP_const));
+}
+static inline bool opt_may_group(const Ir *ir, Ref ref)
+{
+    return opt_is_term(ir, ref) && (opt_is_term(ir, ir_arg(ir, ref, 0)) || opt_is_term(ir, ir_arg(ir, ref, 1)));
+}
 
 typedef struct {
     const uint32_t *uses;
     Ref count; /* of nodes when the uses were counted */
+    Ref *grouped; /* the last that opt_group made since, which one node uses, as what it stands for; NULL: nobody asks */
 } Uses;
 /* How often each node is used by live nodes, outputs and functions; from then on ir_live_kept knows which are live. */
 Uses opt_uses(Ir *ir, Arena *arena);

@@ -15,10 +15,11 @@ static unsigned rules_for(const Ir *ir, Ref ref)
            (unsigned)opt_may_select(ir, ref) << SELECT | (unsigned)opt_may_power(ir, ref) << POWER;
 }
 
-/* No rule was found to change it. Rules of swizzles alone are told of uses: any other node stays as simple as it was when it was made. */
+/* No rule was found to change it. Rules of swizzles and groups alone are told of uses: any other node stays as simple as it was when it was made. */
 static void settle(Ir *ir, Ref ref)
 {
-    ir->nodes[ref].flags |= ir_is(ir, ref, OP_swizzle) ? NODE_simple : NODE_simple | NODE_final;
+    const bool by_uses = ir_is(ir, ref, OP_swizzle) || opt_may_group(ir, ref);
+    ir->nodes[ref].flags |= by_uses ? NODE_simple : NODE_simple | NODE_final;
 }
 
 /* In turns, until none of them changes what the others left. */
@@ -49,15 +50,20 @@ Ref opt_simplify(Ir *ir, Ref ref)
     return ir_at(ir, ref)->flags & NODE_final ? ref : apply_rules(ir, ref, &unknown);
 }
 
-/* Of a simple node that is not final, a swizzle, the rule that goes by uses is asked, before the others. */
+/* Of a simple node that is not final, the rule that goes by uses is asked, before the others. */
 static Ref polish(Ir *ir, Ref ref, const void *user)
 {
+    const Ref grouped = opt_may_group(ir, ref) ? opt_rewrite_group(ir, ref, user) : ref;
+    if (grouped != ref)
+        return grouped;
     const bool simple = ir_at(ir, ref)->flags & NODE_simple;
     return simple && opt_rewrite_swizzle(ir, ref, user) == ref ? ref : apply_rules(ir, ref, user);
 }
 
 bool opt_polish(Ir *ir)
 {
-    const Uses uses = opt_uses(ir, &ir->scratch);
+    Uses uses = opt_uses(ir, &ir->scratch);
+    Ref grouped = 0;
+    uses.grouped = &grouped;
     return ir_sweep_unsettled(ir, NODE_final, polish, &uses);
 }

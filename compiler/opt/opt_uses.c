@@ -23,5 +23,5 @@ Uses opt_uses(Ir *ir, Arena *arena)
     }
     ir->live = live;
     ir->live_count = ir->count;
-    return (Uses){uses, (Ref)ir->count};
+    return (Uses){uses, (Ref)ir->count, NULL};
 }

@@ -138,9 +138,8 @@ void main() {
     float image_2 = imageSampled(imageTexture1, grid, image).x;
     vec2 image_3 = vec2((imageSampled(imageTexture1, vec2(1.0 / image.x, 0.0) + grid, image).x - image_2) * image.x, (imageSampled(imageTexture1, vec2(0.0, 1.0 / image.y) + grid, image).x - image_2) * image.y);
     vec2 image_4 = imageRiseNear(imageTexture1, grid, image, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), image_3);
-    vec3 bumpMap_3 = image_4.x * 6.0 * 0.08 * worldTangentV - image_4.y * 3.0 * 0.08 * worldTangentU;
-    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
+    vec3 bumpMap_3 = cross(bumpMap_1, image_4.x * 0.48 * worldTangentV - image_4.y * 0.24 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2701131776u, 1031840161u);
 }

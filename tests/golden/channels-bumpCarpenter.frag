@@ -74,7 +74,7 @@ void main() {
     float carpenter_map = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     vec2 carpenter_map_1 = floor(uv);
     vec2 carpenter_map_2 = uv - (carpenter_map_1 - clamp(carpenter_map_1, vec2(-2.0), vec2(1.0)));
-    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0 * 0.03 * worldTangentV - (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0 * 0.03 * worldTangentU;
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 6.0 * worldTangentV - (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 6.0 * worldTangentU;
     vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);

@@ -269,7 +269,7 @@ void main() {
     // bumpCells.yaml:5 BumpMap
     vec3 bumpMap2_1 = 1.0 / max(length(bumpMap), 1e-30) * bumpMap;
     vec3 bumpMap2_2 = cross(bumpMap_6, bumpMap_7);
-    vec3 bumpMap2_3 = bumpMap_7 * ((cells2Random(uvTransform, vec2(0.05, 0.0), 1.0, 0) - cells4) * 20.0 * 4.0 * 0.04) - bumpMap_6 * ((cells2Random(uvTransform, vec2(0.0, 0.05), 1.0, 0) - cells4) * 20.0 * 3.0 * 0.04);
+    vec3 bumpMap2_3 = (cells2Random(uvTransform, vec2(0.05, 0.0), 1.0, 0) - cells4) * 3.2 * bumpMap_7 - (cells2Random(uvTransform, vec2(0.0, 0.05), 1.0, 0) - cells4) * 2.4 * bumpMap_6;
     vec3 bumpMap2_4 = cross(bumpMap2_1, bumpMap2_3) + bumpMap2_2;
     vec3 bumpMap2 = dot(bumpMap2_2, bumpMap2_1) < 0.0 ? -bumpMap2_4 : bumpMap2_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap2)) * (gl_FrontFacing ? 1.0 : -1.0);

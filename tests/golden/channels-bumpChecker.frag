@@ -75,10 +75,9 @@ void main() {
     float checker_4 = 0.5 - checker_3.y * checker_3.x * 0.5;
     vec2 checker_5 = stripes2(fract(checker + vec2(0.05, 0.0)), checker_2);
     vec2 checker_6 = stripes2(fract(checker + vec2(0.0, 0.05)), checker_2);
-    float bumpMap_3 = (0.5 - checker_5.y * checker_5.x * 0.5 - checker_4) * 20.0 * 6.0 * 0.03;
-    float bumpMap_4 = (0.5 - checker_6.y * checker_6.x * 0.5 - checker_4) * 20.0 * 3.0 * 0.03;
-    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 * worldTangentV - bumpMap_4 * worldTangentU) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
+    vec3 bumpMap_3 = (0.5 - checker_5.y * checker_5.x * 0.5 - checker_4) * 3.6 * worldTangentV - (0.5 - checker_6.y * checker_6.x * 0.5 - checker_4) * 1.8 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2708833937u, 903913889u);
 }

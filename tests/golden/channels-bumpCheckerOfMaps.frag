@@ -80,13 +80,13 @@ void main() {
     vec2 checker_3 = fract(checker + vec2(0.05, 0.0));
     float checker_4 = checker_2 ? 1.0 : 0.0;
     vec2 checker_5 = fract(checker + vec2(0.0, 0.05));
-    float checker_6 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
-    float checker_7 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 2.0;
-    float checker_8 = carpenter_map - 0.4;
-    float checker_9 = checker_8 * checker_6 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0 : 0.0);
-    float checker_10 = checker_8 * checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0 : 0.0);
-    vec3 bumpMap_3 = cross(bumpMap_1, checker_9 * 0.04 * worldTangentV - checker_10 * 0.04 * worldTangentU) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
+    float checker_6 = carpenter_map - 0.4;
+    float checker_7 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 80.0 * checker_6;
+    float checker_8 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 40.0 * checker_6;
+    float bumpMap_3 = (checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0 : 0.0)) * 0.04;
+    float bumpMap_4 = (checker_8 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0 : 0.0)) * 0.04;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 * worldTangentV - bumpMap_4 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2353489815u, 903908492u);
 }

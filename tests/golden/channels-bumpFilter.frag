@@ -153,9 +153,9 @@ void main() {
     float bumpMap_24 = bumpMap_23 + bumpMap_23 + bumpMap_23 + bumpMap_22 + bumpMap_22 + bumpMap_22 + bumpMap_21 + bumpMap_21;
     float bumpMap_25 = bumpMap_24 + bumpMap_21 + bumpMap_20 + bumpMap_20 + bumpMap_20 + bumpMap_19 + bumpMap_19 + bumpMap_19;
     float bumpMap_26 = bumpMap_25 + bumpMap_18 + bumpMap_18 + bumpMap_18 + bumpMap_17 + bumpMap_17 + bumpMap_17 + bumpMap_16;
-    float bumpMap_27 = (bumpMap_14 + bumpMap_4 + bumpMap_4 + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * 0.04;
-    float bumpMap_28 = (bumpMap_26 + bumpMap_16 + bumpMap_16 + bumpMap_15 + bumpMap_15 + bumpMap_15) * 0.037037037 * 0.04;
-    vec3 bumpMap_29 = cross(bumpMap_1, bumpMap_27 * worldTangentV - bumpMap_28 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap_27 = (bumpMap_14 + bumpMap_4 + bumpMap_4 + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.0014814815 * worldTangentV;
+    vec3 bumpMap_28 = (bumpMap_26 + bumpMap_16 + bumpMap_16 + bumpMap_15 + bumpMap_15 + bumpMap_15) * 0.0014814815 * worldTangentU;
+    vec3 bumpMap_29 = cross(bumpMap_1, bumpMap_27 - bumpMap_28) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_29 : bumpMap_29;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2358747273u, 903908492u);

@@ -81,10 +81,9 @@ void main() {
     vec2 diffuse_checker_1 = stripes2(fract(uv * vec2(4.0, 2.0)), max(abs(uvByY * vec2(4.0, 2.0)), abs(uvByX * vec2(4.0, 2.0))));
     vec3 diffuse_checker = mix(mat3(vec3(0.0007963267, 0.0, -0.9999997), vec3(0.0, 1.0, 0.0), vec3(0.9999997, 0.0, 0.0007963267)) * localPosition, mat3(vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0007963267, 0.9999997), vec3(0.0, -0.9999997, 0.0007963267)) * localPosition, 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     // checkerAsPosition.yaml:8 Wood
-    float diffuse_wood_1 = abs(fract(wood(diffuse_checker) * 6.0) * 4.0 - 1.0) - 2.0;
-    float diffuse_wood = abs(diffuse_wood_1) - 1.0;
+    float diffuse_wood = abs(fract(wood(diffuse_checker) * 6.0) * 4.0 - 1.0) - 2.0;
     // checkerAsPosition.yaml:5 Blend
-    vec3 diffuse_blend = mix(vec3(0.04373503, 0.015996294, 0.008023193), vec3(0.6795425, 0.43965718, 0.18782078), clamp((diffuse_wood + 1.0) * 0.5, 0.0, 1.0));
+    vec3 diffuse_blend = mix(vec3(0.04373503, 0.015996294, 0.008023193), vec3(0.6795425, 0.43965718, 0.18782078), clamp(abs(diffuse_wood) * 0.5, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

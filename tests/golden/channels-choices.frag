@@ -83,6 +83,31 @@ vec4 leopardGradient(vec3 p) {
     return vec4(cos(p) * (mean * (2.0 / 3.0)), mean * mean);
 }
 
+// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+vec4 texel(sampler2D s, vec2 i, vec2 size) {
+    return texelFetch(s, ivec2(i), 0);
+}
+
+// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
+// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
+float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
+    vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
+    vec2 at = fract(abs(uv)) * size;
+    vec2 low = side * floor(at);
+    vec2 weight = side * at - low;
+    low += size * vec2(lessThan(low, vec2(0.0)));
+    low -= size * step(size, low);
+    vec2 high = low + 1.0;
+    high -= size * step(size, high);
+    return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
+               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
 // A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
@@ -149,26 +174,6 @@ float granite(vec3 p) {
     return sum;
 }
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
-vec4 texel(sampler2D s, vec2 i, vec2 size) {
-    return texelFetch(s, ivec2(i), 0);
-}
-
-// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
-// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
-float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
-    vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
-    vec2 at = fract(abs(uv)) * size;
-    vec2 low = side * floor(at);
-    vec2 weight = side * at - low;
-    low += size * vec2(lessThan(low, vec2(0.0)));
-    low -= size * step(size, low);
-    vec2 high = low + 1.0;
-    high -= size * step(size, high);
-    return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
-               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
-}
-
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
@@ -177,11 +182,6 @@ uint unormBits(float v, int bits) {
 // The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
-}
-
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-vec3 eyeFromWorld(vec3 d) {
-    return matc_eyeFromWorld * d;
 }
 
 // v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
@@ -249,8 +249,6 @@ void main() {
     vec3 localPositionByY = dFdy(localPosition);
     // choices.yaml:7 Leopard
     float specular_leopard = leopardFiltered(localPosition, max(abs(localPositionByY), abs(localPositionByX)));
-    // choices.yaml:5 Remap
-    float diffuse_remap = specular_leopard * 1.5 * 5.0 - 1.0;
     // choices.yaml:6 Checker
     vec2 diffuse_checker = stripes2(fract(uv), max(abs(uvByY), abs(uvByX)));
     float diffuse_checker_2 = 0.5 - diffuse_checker.y * diffuse_checker.x * 0.5;
@@ -291,14 +289,32 @@ void main() {
     vec3 diffuseTransparency_triplanar2_2 = max(diffuseTransparency_triplanar2_1 / dot(diffuseTransparency_triplanar2_1, vec3(1.0)) - vec3(0.015625), vec3(0.0));
     vec3 diffuseTransparency_triplanar2_3 = diffuseTransparency_triplanar2_2 / dot(diffuseTransparency_triplanar2_2, vec3(1.0));
     float ramp_3 = leopard2.w - 0.1;
+    // choices.yaml:5 Remap
+    float diffuse_remap = specular_leopard * 7.5 - 1.0;
+    // choices.yaml:12 Carpenter
+    float carpenter_map = carpenterRelief(carpenterTexture0, localPosition.xz, vec2(256.0));
+    vec2 carpenter_map_1 = floor(localPosition.xz);
+    vec2 carpenter_map_2 = localPosition.xz - (carpenter_map_1 - clamp(carpenter_map_1, vec2(-2.0), vec2(1.0)));
+    float carpenter_map_3 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0;
+    float carpenter_map_4 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0;
+    // choices.yaml:12 Triplanar
+    float triplanar = (localTangentU.z * carpenter_map_4 + carpenter_map_3 * localTangentU.x) * diffuseTransparency_triplanar_3.y + dot(emissive_wood, localTangentU) * diffuseTransparency_triplanar_3.x;
+    float triplanar_2 = (localTangentV.z * carpenter_map_4 + carpenter_map_3 * localTangentV.x) * diffuseTransparency_triplanar_3.y + dot(emissive_wood, localTangentV) * diffuseTransparency_triplanar_3.x;
+    // choices.yaml:11 Ramp
+    float shininess_ramp = mix(0.3, 0.6, clamp(uv.x * 3.0, 0.0, 1.0));
+    float triplanar_3 = (ramp ? (ramp_2 ? 0.0 : leopard2_2 * localPosition.x + ramp_3 * localTangentU.x) : leopard2_2) * diffuseTransparency_triplanar_3.z + triplanar;
+    float triplanar_4 = (ramp ? (ramp_2 ? 0.0 : leopard2_3 * localPosition.x + ramp_3 * localTangentV.x) : leopard2_3) * diffuseTransparency_triplanar_3.z + triplanar_2;
+    vec3 bumpMap_3 = cross(bumpMap_1, triplanar_3 * 0.02 * worldTangentV - triplanar_4 * 0.02 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // choices.yaml:4 Switch
     vec4 diffuse_chosen;
     if (diffuse_remap < 1.5) {
         if (diffuse_remap < 0.5) {
             // choices.yaml:6 HSV
-            vec3 diffuse_hsv_1 = abs(fract(turn + 0.05 + vec3(0.0, 0.6666667, 0.33333334)) * 6.0 - 3.0) - 1.0;
-            vec3 diffuse_hsv_2 = abs(fract(turn + 0.61904764 + vec3(0.0, 0.6666667, 0.33333334)) * 6.0 - 3.0) - 1.0;
-            diffuse_chosen = mix(vec4(mix(vec3(1.0), clamp(diffuse_hsv_2, 0.0, 1.0), 0.62222224) * 1.08, 0.5), vec4(mix(vec3(1.0), clamp(diffuse_hsv_1, 0.0, 1.0), 0.61538464) * 0.97882354, 1.0), diffuse_checker_2);
+            vec3 diffuse_hsv_1 = clamp(abs(fract(turn + vec3(0.05, 0.71666664, 0.38333333)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+            vec3 diffuse_hsv_2 = clamp(abs(fract(turn + vec3(0.61904764, 1.2857143, 0.95238096)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+            diffuse_chosen = mix(vec4(mix(vec3(1.0), diffuse_hsv_2, 0.62222224) * 1.08, 0.5), vec4(mix(vec3(1.0), diffuse_hsv_1, 0.61538464) * 0.97882354, 1.0), diffuse_checker_2);
         } else {
             diffuse_chosen = vec4(0.5, 0.5, 0.5, 1.0);
         }
@@ -314,23 +330,7 @@ void main() {
         diffuse_chosen = vec4(diffuse_chosen_1, 1.0);
     }
     vec3 transparency = vec3(1.0) - diffuse_chosen.www;
-    // choices.yaml:12 Carpenter
-    float carpenter_map = carpenterRelief(carpenterTexture0, localPosition.xz, vec2(256.0));
-    vec2 carpenter_map_1 = floor(localPosition.xz);
-    vec2 carpenter_map_2 = localPosition.xz - (carpenter_map_1 - clamp(carpenter_map_1, vec2(-2.0), vec2(1.0)));
-    float carpenter_map_3 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0;
-    float carpenter_map_4 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0;
-    // choices.yaml:12 Triplanar
-    float triplanar = (localTangentU.z * carpenter_map_4 + carpenter_map_3 * localTangentU.x) * diffuseTransparency_triplanar_3.y + dot(emissive_wood, localTangentU) * diffuseTransparency_triplanar_3.x;
-    float triplanar_2 = (localTangentV.z * carpenter_map_4 + carpenter_map_3 * localTangentV.x) * diffuseTransparency_triplanar_3.y + dot(emissive_wood, localTangentV) * diffuseTransparency_triplanar_3.x;
     uint surface_bits = rootBits(diffuse_chosen.x, 6) | rootBits(diffuse_chosen.y, 6) << 6 | rootBits(diffuse_chosen.z, 6) << 12;
-    // choices.yaml:11 Ramp
-    float shininess_ramp = mix(0.3, 0.6, clamp(uv.x * 3.0, 0.0, 1.0));
-    float triplanar_3 = (ramp ? (ramp_2 ? 0.0 : leopard2_2 * localPosition.x + ramp_3 * localTangentU.x) : leopard2_2) * diffuseTransparency_triplanar_3.z + triplanar;
-    float triplanar_4 = (ramp ? (ramp_2 ? 0.0 : leopard2_3 * localPosition.x + ramp_3 * localTangentV.x) : leopard2_3) * diffuseTransparency_triplanar_3.z + triplanar_2;
-    vec3 bumpMap_3 = cross(bumpMap_1, triplanar_3 * 0.02 * worldTangentV - triplanar_4 * 0.02 * worldTangentU) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
-    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     float diffuseTransparency_ramp = diffuseTransparency_ramp_1 * diffuseTransparency_triplanar + (1.0 - diffuseTransparency_ramp_1) * 0.2;
     vec4 specular_cornerRamp_2 = vec4(vec3(specular_leopard) * specular_cornerRamp_1 + (1.0 - specular_cornerRamp_1) * vec3(0.2509804, 0.5019608, 0.7529412), 1.0) * emissive_ramp_1;
     vec4 specular_cornerRamp = specular_cornerRamp_2 + (1.0 - emissive_ramp_1) * mix(vec4(1.0, 0.0, 0.0, 0.5), vec4(0.3, 0.3, 0.3, 1.0), specular_cornerRamp_1);

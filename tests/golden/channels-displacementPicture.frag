@@ -145,9 +145,8 @@ void main() {
     // displacementPicture.yaml:3 ImageMap
     vec2 image = vec2((imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + diffuse_uvTransform, diffuse_image).x - diffuse_image_2.x) * diffuse_image.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + diffuse_uvTransform, diffuse_image).x - diffuse_image_2.x) * diffuse_image.y);
     vec2 image_2 = imageRiseNear(imageTexture0, diffuse_uvTransform, diffuse_image, 0, uvByX * vec2(2.0), uvByY * vec2(2.0), image);
-    vec3 normal_11 = image_2.x * 2.0 * -0.1 * normal_10 - image_2.y * 2.0 * -0.1 * normal_9;
-    vec3 normal_12 = cross(normal_6, normal_11) + cross(normal_9, normal_10);
-    vec3 normal_13 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_12 : normal_12));
-    vec3 normal = normal_13 * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal_11 = cross(normal_6, image_2.x * -0.2 * normal_10 - image_2.y * -0.2 * normal_9) + cross(normal_9, normal_10);
+    vec3 normal_12 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_11 : normal_11));
+    vec3 normal = normal_12 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -91,17 +91,17 @@ void main() {
     vec2 checker_3 = fract(checker + vec2(0.05, 0.0));
     float checker_4 = checker_2 ? 1.0 : 0.0;
     vec2 checker_5 = fract(checker + vec2(0.0, 0.05));
-    float checker_6 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
-    float checker_7 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
     float normal_8 = (checker_2 ? wood2 : 0.1) * 0.2;
     // displacementSteps.yaml:4 Blend
     float blend_1 = wood2 - 0.1;
-    float blend_2 = blend_1 * checker_6 + (checker_2 ? dot(wood2_1.xyz, localTangentU) * 3.0 * 6.2831855 * wood2_6 * wood2_4 : 0.0);
-    float blend_3 = blend_1 * checker_7 + (checker_2 ? dot(wood2_1.xyz, localTangentV) * 3.0 * 6.2831855 * wood2_6 * wood2_4 : 0.0);
     vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
     vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
-    vec3 normal_11 = cross(normal_6, normal_10 * (blend_2 * 0.2) - normal_9 * (blend_3 * 0.2)) + cross(normal_9, normal_10);
-    vec3 normal_12 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_11 : normal_11));
-    vec3 normal = normal_12 * (gl_FrontFacing ? 1.0 : -1.0);
+    float blend_2 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 80.0 * blend_1;
+    float normal_11 = (blend_2 + (checker_2 ? dot(wood2_1.xyz, localTangentU) * 18.849556 * wood2_6 * wood2_4 : 0.0)) * 0.2;
+    float blend_3 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 80.0 * blend_1;
+    float normal_12 = (blend_3 + (checker_2 ? dot(wood2_1.xyz, localTangentV) * 18.849556 * wood2_6 * wood2_4 : 0.0)) * 0.2;
+    vec3 normal_13 = cross(normal_6, normal_11 * normal_10 - normal_12 * normal_9) + cross(normal_9, normal_10);
+    vec3 normal_14 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_13 : normal_13));
+    vec3 normal = normal_14 * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }

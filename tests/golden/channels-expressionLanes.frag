@@ -106,24 +106,24 @@ void main() {
     vec3 ambient_expression_4 = ambient_expression_1 + 1.0;
     // expressionLanes.yaml:10 Expression
     float emissive_expression_1 = q.x * 0.5 + 3.25;
-    vec3 emissive_expression_2 = vec3(step(0.4, uv.x + 3.0), floor(abs(emissive_expression_1)) * sign(emissive_expression_1), floor(q.y * 0.2 + 1.2 + 0.5));
-    vec3 emissive_expression = mod(uv.x, 3.0) + (fract(uv.x * 0.3 + 0.1) + emissive_expression_2);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_expression.x, 7) | rootBits(diffuse_expression.y, 7) << 7 | rootBits(diffuse_expression.z, 7) << 14;
     // expressionLanes.yaml:7 Expression
     float shininess_expression_1 = clamp((uv.x - 0.2) / 0.6, 0.0, 1.0);
     float shininess_expression_2 = clamp((uv.y - 0.8) / -0.6, 0.0, 1.0) * 0.1 + mix(0.2, 0.7, (3.0 - shininess_expression_1 * 2.0) * (shininess_expression_1 * shininess_expression_1));
     float shininess_expression = clamp(sign(q.x + 7.0) * 0.05 + shininess_expression_2, 0.0, 1.0);
-    vec3 transparency_expression_3 = vec3(transparency_expression_1.x / transparency_expression_2.x, transparency_expression_1.y / transparency_expression_2.y, transparency_expression_1.z / transparency_expression_2.z) + (q * 0.017453292 + q * 57.29578 * 0.01);
-    vec3 transparency_expression_4 = transparency_expression_3 + ((q - 0.5) * 2.0 + 0.5) + (q * 0.2 + 0.2);
-    vec3 transparency_expression = (transparency_expression_4 + (1.0 - q) * 0.1) * 0.1;
+    vec3 emissive_expression_2 = vec3(step(0.4, uv.x + 3.0), floor(abs(emissive_expression_1)) * sign(emissive_expression_1), floor(q.y * 0.2 + 1.7));
+    vec3 emissive_expression = emissive_expression_2 + fract(uv.x * 0.3 + 0.1) + mod(uv.x, 3.0);
     vec3 ambient_expression_5 = vec3(1.0 / ambient_expression_3.x, 1.0 / ambient_expression_3.y, 1.0 / ambient_expression_3.z) * 0.1 + sqrt(ambient_expression_1 + 0.09) * uv.xyx;
     vec3 ambient_expression = vec3(3.0 / ambient_expression_4.x, 3.0 / ambient_expression_4.y, 3.0 / ambient_expression_4.z) + ambient_expression_5;
-    uint surface_bits2 = sharedExponentBits(emissive_expression, 5) | rootBits(ambient_expression.x, 4) << 20 | rootBits(ambient_expression.y, 4) << 24;
     // expressionLanes.yaml:6 Expression
     vec3 specular_expression_1 = log(abs(q) + 0.5) * 0.1 + (exp2(q) + exp(q - 2.0) * 0.2);
     vec3 specular_expression_2 = vec3(sqrt(max(abs(q.x), 1e-37)) * sign(q.x), pow(max(abs(q.y), 1e-37), 1.7), q.z * q.z * q.z);
     vec3 specular_expression = specular_expression_2 + (log(ambient_expression_2) * 1.442695 + specular_expression_1);
+    vec3 transparency_expression_3 = vec3(transparency_expression_1.x / transparency_expression_2.x, transparency_expression_1.y / transparency_expression_2.y, transparency_expression_1.z / transparency_expression_2.z) + (q * 0.5729578 + q * 0.017453292);
+    vec3 transparency_expression_4 = transparency_expression_3 + ((q - 0.5) * 2.0 + 0.5) + (q * 0.2 + 0.2);
+    vec3 transparency_expression = (transparency_expression_4 + (1.0 - q) * 0.1) * 0.1;
+    uint surface_bits2 = sharedExponentBits(emissive_expression, 5) | rootBits(ambient_expression.x, 4) << 20 | rootBits(ambient_expression.y, 4) << 24;
     uint surface_bits3 = rootBits(specular_expression.y, 6) | rootBits(specular_expression.z, 6) << 6 | rootBits(transparency_expression.y, 5) << 12;
     uint surface_bits4 = surface_bits3 | rootBits(transparency_expression.z, 5) << 17 | logarithmBits(phongExponent(shininess_expression), 9) << 22;
     uvec4 surface_bits5 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits2 | rootBits(ambient_expression.z, 4) << 28, surface_bits | rootBits(specular_expression.x, 6) << 21 | rootBits(transparency_expression.x, 5) << 27, surface_bits4);

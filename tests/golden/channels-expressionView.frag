@@ -132,9 +132,8 @@ void main() {
     vec3 normal_14 = cross(normal_6, normal_13) + normal_12;
     vec3 normal = safeNormalize(eyeFromWorld(normal_9 ? -normal_14 : normal_14)) * (gl_FrontFacing ? 1.0 : -1.0);
     // expressionView.yaml:6 BumpMap
-    vec3 emissive_bumpMap_1 = localTangentU.x * 0.5 * 0.02 * worldTangentV - localTangentV.x * 0.5 * 0.02 * worldTangentU;
-    vec3 emissive_bumpMap_2 = cross(normal_6, emissive_bumpMap_1) + normal_8;
-    vec3 emissive_bumpMap = normal_9 ? -emissive_bumpMap_2 : emissive_bumpMap_2;
+    vec3 emissive_bumpMap_1 = cross(normal_6, localTangentU.x * 0.01 * worldTangentV - localTangentV.x * 0.01 * worldTangentU) + normal_8;
+    vec3 emissive_bumpMap = normal_9 ? -emissive_bumpMap_1 : emissive_bumpMap_1;
     // expressionView.yaml:6 Expression
     float emissive_expression_1 = 0.5 < min(abs(dot(safeNormalize(emissive_bumpMap), diffuse_expression_1)), 1.0) ? uv.x * 0.2 : 0.1;
     vec3 emissive_expression = vec3(emissive_expression_1) * matc_time;

@@ -107,9 +107,8 @@ void main() {
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // imageAddressBump.yaml:5 ImageMap
     vec2 image = imageRiseBeyond(imageTexture0, (uv + vec2(0.7, 0.8)) * vec2(2.5), pictureSize(imageTexture0), 0, 3, uvByX * vec2(2.5), uvByY * vec2(2.5));
-    vec3 bumpMap_3 = image.x * 2.5 * 0.02 * worldTangentV - image.y * 2.5 * 0.02 * worldTangentU;
-    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
+    vec3 bumpMap_3 = cross(bumpMap_1, image.x * 0.05 * worldTangentV - image.y * 0.05 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }

@@ -69,9 +69,8 @@ void main() {
     vec3 localPositionByY = dFdy(localPosition);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // transformScale.yaml:5 VolumeChecker
-    vec3 diffuse_volumeChecker_1 = max(abs(localPositionByY * 3.0 * 0.5), abs(localPositionByX * 3.0 * 0.5));
-    vec3 diffuse_volumeChecker_2 = stripes3(fract(localPosition * 3.0 * 0.5), diffuse_volumeChecker_1);
-    vec3 diffuse_volumeChecker = mix(vec3(0.19461784, 0.031896032, 0.031896032), vec3(0.8148466, 0.7156935, 0.5271151), 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5);
+    vec3 diffuse_volumeChecker_1 = stripes3(fract(localPosition * 1.5), max(abs(localPositionByY * 1.5), abs(localPositionByX * 1.5)));
+    vec3 diffuse_volumeChecker = mix(vec3(0.19461784, 0.031896032, 0.031896032), vec3(0.8148466, 0.7156935, 0.5271151), 0.5 - diffuse_volumeChecker_1.z * (diffuse_volumeChecker_1.y * diffuse_volumeChecker_1.x) * 0.5);
     uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -119,9 +119,9 @@ void main() {
     float diffuse_volumeTurbulence = turbulence(localPosition * 2.0, 4, 2.0, 0.5);
     // contours.yaml:4 Expression
     float diffuse_expression_1 = diffuse_volumeTurbulence * 0.5 + 0.5;
-    vec3 diffuse_expression_2 = abs(fract(0.6 - diffuse_expression_1 * 0.5 + vec3(0.0, 0.6666667, 0.33333334)) * 6.0 - 3.0);
-    vec3 diffuse_expression = (1.0 - step(fract(diffuse_expression_1 * 12.0), 0.15) * 0.7) * (mix(vec3(1.0), clamp(diffuse_expression_2 - 1.0, 0.0, 1.0), 0.7) * (diffuse_expression_1 * 0.6 + 0.35));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 diffuse_expression_2 = abs(fract(vec3(0.6, 1.2666667, 0.93333334) - diffuse_expression_1 * 0.5) * 6.0 - 3.0) - 1.0;
+    vec3 diffuse_expression = mix(vec3(1.0), clamp(diffuse_expression_2, 0.0, 1.0), 0.7) * (diffuse_expression_1 * 0.6 + 0.35) * (1.0 - step(fract(diffuse_expression_1 * 12.0), 0.15) * 0.7);
     uint surface_bits = rootBits(diffuse_expression.x, 8) | rootBits(diffuse_expression.y, 8) << 8 | rootBits(diffuse_expression.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 1358954496u, 662720849u);
 }

@@ -344,8 +344,8 @@ void main() {
         blend_10 = 0.0;
     } else {
         vec3 wall_3 = localTangentU * vec3(2.5, 2.5, 6.0);
-        float blend_11 = wall_3.z * 2.0 * 6.25;
         float face_2 = face_1 * dot(sand.xyz, localTangentU * 22.0);
+        float blend_11 = wall_3.z * 12.5;
         float along_8 = along_3 * (wall_3.z * 0.5 * bond_10) + (wall_3.x * bond_8 + wall_3.x * bond_7);
         float side_11 = along_8 * along_7 * 12.5;
         float side_12 = side_4 ? side_5 * face_2 + side_9 * face_2 : side_2 ? side_11 * side_1 + side_10 * face_2 : 0.0;
@@ -358,8 +358,8 @@ void main() {
         blend_13 = 0.0;
     } else {
         vec3 wall_4 = localTangentV * vec3(2.5, 2.5, 6.0);
-        float blend_14 = wall_4.z * 2.0 * 6.25;
         float face_3 = face_1 * dot(sand.xyz, localTangentV * 22.0);
+        float blend_14 = wall_4.z * 12.5;
         float along_9 = along_3 * (wall_4.z * 0.5 * bond_10) + (wall_4.x * bond_8 + wall_4.x * bond_7);
         float side_14 = along_9 * along_7 * 12.5;
         float side_15 = side_4 ? side_5 * face_3 + side_9 * face_3 : side_2 ? side_14 * side_1 + side_10 * face_3 : 0.0;
@@ -378,16 +378,12 @@ void main() {
         if (-0.93 < along && along < 0.93) {
             // brick.yaml:23 Gradient
             float brick_gradient = floor(wall.z * 0.5 + 0.5);
-            // brick.yaml:22 XYZTransform
-            vec3 brick_xyzTransform = vec3(brick_gradient) * vec3(4.3, 1.1, 2.9);
             // brick.yaml:34 VolumeTurbulence
             float clay_volumeTurbulence = turbulence(localPosition * 5.0, 11, 2.0, 0.5);
             // brick.yaml:20 Gradient
             float brick_gradient2 = floor(along_2 * 0.5 + 0.5);
-            // brick.yaml:19 XYZTransform
-            vec3 brick_xyzTransform2 = vec3(brick_gradient2) * vec3(1.7, 3.1, 5.3);
             // brick.yaml:16 brick
-            vec3 brick = brick_xyzTransform2 * 0.5 + brick_xyzTransform * 0.5;
+            vec3 brick = vec3(brick_gradient2) * vec3(0.85, 1.55, 2.65) + vec3(brick_gradient) * vec3(2.15, 0.55, 1.45);
             float clay_1 = turbulence(brick, 1, 2.0, 1.0) * 0.6 + clay_volumeTurbulence * 0.4;
             clay = mix(mix(vec3(0.15292615, 0.024157632, 0.011612245), vec3(0.3231432, 0.05612849, 0.02518686), clamp((clay_1 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.50888133, 0.15592647, 0.064803265), clamp(clay_1 * 2.0, 0.0, 1.0));
         } else {

@@ -357,7 +357,7 @@ void main() {
             dome_11 = stone ? across * (along_4 + along_4) + across_8 * along : across_8;
         }
         float dome_12 = dome_5 ? dome_11 * 3.030303 * dome + dome_6 * dome_blend_2 : dome_4 ? dome_11 * 1.8181819 * dome_2 + dome_9 * dome_blend_2 : 0.0;
-        dome_10 = dome_7 ? dome_11 * 9.090909 * 0.65 : dome_12;
+        dome_10 = dome_7 ? dome_11 * 5.909091 : dome_12;
     }
     float dome_13;
     if (dome_8) {
@@ -375,7 +375,7 @@ void main() {
             dome_14 = stone ? across * (along_5 + along_5) + across_10 * along : across_10;
         }
         float dome_15 = dome_5 ? dome_14 * 3.030303 * dome + dome_6 * dome_blend_3 : dome_4 ? dome_14 * 1.8181819 * dome_2 + dome_9 * dome_blend_3 : 0.0;
-        dome_13 = dome_7 ? dome_14 * 9.090909 * 0.65 : dome_15;
+        dome_13 = dome_7 ? dome_14 * 5.909091 : dome_15;
     }
     vec3 bumpMap_3 = cross(bumpMap_1, dome_10 * 0.06 * worldTangentV - dome_13 * 0.06 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
@@ -399,14 +399,10 @@ void main() {
     if (0.02 < diffuse_blend_1) {
         // cobbles.yaml:33 Gradient
         float number_gradient = floor(street.z);
-        // cobbles.yaml:33 XYZTransform
-        vec3 number_xyzTransform = vec3(number_gradient) * vec3(4.3, 1.1, 2.9);
         // cobbles.yaml:32 Gradient
         float number_gradient2 = floor(across_2);
-        // cobbles.yaml:32 XYZTransform
-        vec3 number_xyzTransform2 = vec3(number_gradient2) * vec3(1.7, 3.1, 5.3);
         // cobbles.yaml:30 number
-        vec3 number = number_xyzTransform2 * 0.5 + number_xyzTransform * 0.5;
+        vec3 number = vec3(number_gradient2) * vec3(0.85, 1.55, 2.65) + vec3(number_gradient) * vec3(2.15, 0.55, 1.45);
         float diffuse_blend3_1 = turbulence(number, 1, 2.0, 1.0) * 0.65 + grain.w * 0.35;
         diffuse_blend3 = mix(mix(vec3(0.104616486, 0.10946171, 0.12477182), vec3(0.23455058, 0.23074006, 0.21223076), clamp((diffuse_blend3_1 + 0.35) * 2.857143, 0.0, 1.0)), vec3(0.39157248, 0.33716363, 0.26225066), clamp(diffuse_blend3_1 * 2.857143, 0.0, 1.0));
     } else {

@@ -174,7 +174,7 @@ void main() {
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     vec2 plates_1 = floor(uv);
     vec2 plates_2 = uv - (plates_1 - clamp(plates_1, vec2(-2.0), vec2(1.0)));
-    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.005, 0.0), vec2(256.0)) - plates) * 200.0 * 0.016 * worldTangentV - (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.0, 0.005), vec2(256.0)) - plates) * 200.0 * 0.016 * worldTangentU;
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.005, 0.0), vec2(256.0)) - plates) * 3.2 * worldTangentV - (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.0, 0.005), vec2(256.0)) - plates) * 3.2 * worldTangentU;
     vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);

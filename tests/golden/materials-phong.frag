@@ -87,7 +87,7 @@ void main() {
     uint surface_bits = rootBits(diffuse_blend.x, 6) | rootBits(diffuse_blend.y, 6) << 6 | rootBits(diffuse_blend.z, 6) << 12;
     vec2 relief_1 = floor(uv);
     vec2 relief_2 = uv - (relief_1 - clamp(relief_1, vec2(-2.0), vec2(1.0)));
-    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, relief_2 + vec2(0.005, 0.0), vec2(256.0)) - relief) * 200.0 * 0.08 * worldTangentV - (carpenterRelief(carpenterTexture0, relief_2 + vec2(0.0, 0.005), vec2(256.0)) - relief) * 200.0 * 0.08 * worldTangentU;
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, relief_2 + vec2(0.005, 0.0), vec2(256.0)) - relief) * 16.0 * worldTangentV - (carpenterRelief(carpenterTexture0, relief_2 + vec2(0.0, 0.005), vec2(256.0)) - relief) * 16.0 * worldTangentU;
     vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);

@@ -259,10 +259,10 @@ void main() {
     uint specular_bits = rootBits(specular_blend, 8);
     float height_2 = dot(height_1.xyz, localTangentU * 1.5);
     float height_3 = dot(height_1.xyz, localTangentV * 1.5);
-    float relief_3 = diffuse_blend_1 ? (relief ? 0.0 : height_2 * 20.0 * 0.02) : relief_2 ? height_2 * 0.8333333 * 1.18 : 0.0;
-    float relief_4 = diffuse_blend_1 ? (relief ? 0.0 : height_3 * 20.0 * 0.02) : relief_2 ? height_3 * 0.8333333 * 1.18 : 0.0;
-    vec3 bumpMap_3 = cross(bumpMap_1, relief_3 * 0.16 * worldTangentV - relief_4 * 0.16 * worldTangentU) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
+    vec3 bumpMap_3 = (diffuse_blend_1 ? (relief ? 0.0 : height_2 * 0.4) : relief_2 ? height_2 * 0.98333335 : 0.0) * 0.16 * worldTangentV;
+    vec3 bumpMap_4 = (diffuse_blend_1 ? (relief ? 0.0 : height_3 * 0.4) : relief_2 ? height_3 * 0.98333335 : 0.0) * 0.16 * worldTangentU;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 - bumpMap_4) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 903872512u);
     fragment0 = surface_bits2;

@@ -141,9 +141,8 @@ void main() {
     uint specular_bits = rootBits(specular_blend, 8);
     vec2 height_3 = vec2((imageSampled(imageTexture1, vec2(1.0 / height.x, 0.0) + place, height).x - height_2) * height.x, (imageSampled(imageTexture1, vec2(0.0, 1.0 / height.y) + place, height).x - height_2) * height.y);
     vec2 height_4 = imageRiseNear(imageTexture1, place, height, 0, uvByX * vec2(8.0, 4.0), uvByY * vec2(8.0, 4.0), height_3);
-    vec3 bumpMap_3 = height_4.x * 8.0 * 0.2 * worldTangentV - height_4.y * 4.0 * 0.2 * worldTangentU;
-    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
+    vec3 bumpMap_3 = cross(bumpMap_1, height_4.x * 1.6 * worldTangentV - height_4.y * 0.8 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1193279488u);
     fragment0 = surface_bits2;

@@ -69,12 +69,11 @@ void main() {
     vec3 localPositionByY = dFdy(localPosition);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // checkered.yaml:10 VolumeChecker
-    vec3 diffuse_volumeChecker_1 = max(abs(localPositionByY * vec3(4.0) * 0.5), abs(localPositionByX * vec3(4.0) * 0.5));
-    vec3 diffuse_volumeChecker_2 = stripes3(fract(localPosition * vec3(4.0) * 0.5), diffuse_volumeChecker_1);
-    float diffuse_volumeChecker_3 = 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5;
-    vec3 diffuse_volumeChecker = diffuse_volumeChecker_3 * vec3(0.75, 0.25, 0.1);
+    vec3 diffuse_volumeChecker_1 = stripes3(fract(localPosition * vec3(2.0)), max(abs(localPositionByY * vec3(2.0)), abs(localPositionByX * vec3(2.0))));
+    float diffuse_volumeChecker_2 = 0.5 - diffuse_volumeChecker_1.z * (diffuse_volumeChecker_1.y * diffuse_volumeChecker_1.x) * 0.5;
+    vec3 diffuse_volumeChecker = diffuse_volumeChecker_2 * vec3(0.75, 0.25, 0.1);
     // checkered.yaml:11 VolumeChecker
-    vec3 transparency_volumeChecker = vec3(1.0) - diffuse_volumeChecker_3;
+    vec3 transparency_volumeChecker = vec3(1.0) - diffuse_volumeChecker_2;
     uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency_volumeChecker.x, 6) << 24 | 5046272u, rootBits(transparency_volumeChecker.y, 6) | rootBits(transparency_volumeChecker.z, 6) << 6);
     fragment0 = surface_bits2;

@@ -394,8 +394,6 @@ void main() {
         if (-0.93 < along && along < 0.93) {
             // displaced.yaml:31 Gradient
             float brick_gradient = floor(wall.z * 0.5 + 0.5);
-            // displaced.yaml:30 XYZTransform
-            vec3 brick_xyzTransform = vec3(brick_gradient) * vec3(4.3, 1.1, 2.9);
             // displaced.yaml:42 VolumeTurbulence
             float clay_volumeTurbulence = turbulence(localPosition * 5.0, 11, 2.0, 0.5);
             // displaced.yaml:28 Gradient
@@ -404,11 +402,9 @@ void main() {
             float brick_gradient2_3 = along_5 * 0.5;
             float brick_gradient2_4 = (rampMean(brick_gradient2_1, sqrt(brick_gradient2_3 * brick_gradient2_3 + brick_gradient2_2 * brick_gradient2_2)) + 1.0) * 0.5;
             float brick_gradient2 = brick_gradient2_1 - brick_gradient2_4;
-            // displaced.yaml:27 XYZTransform
-            vec3 brick_xyzTransform2 = vec3(brick_gradient2) * vec3(1.7, 3.1, 5.3);
             // displaced.yaml:24 brick
-            vec3 brick = brick_xyzTransform2 * 0.5 + brick_xyzTransform * 0.5;
-            float clay_1 = turbulence(brick, 1, 2.0, 1.0) * 0.6 + clay_volumeTurbulence * 0.4;
+            vec3 brick = vec3(brick_gradient2) * vec3(0.85, 1.55, 2.65) + vec3(brick_gradient) * vec3(2.15, 0.55, 1.45);
+            float clay_1 = clay_volumeTurbulence * 0.4 + turbulence(brick, 1, 2.0, 1.0) * 0.6;
             clay = mix(mix(vec3(0.15292615, 0.024157632, 0.011612245), vec3(0.3231432, 0.05612849, 0.02518686), clamp((clay_1 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.50888133, 0.15592647, 0.064803265), clamp(clay_1 * 2.0, 0.0, 1.0));
         } else {
             clay = vec3(0.0);

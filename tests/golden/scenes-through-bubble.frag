@@ -45,7 +45,7 @@ uint unormBits(float v, int bits) {
 void main() {
     // through.yaml:29 Expression
     float expression = (1.0 - uv.y) * 0.5 + 0.25;
-    float filmPath = clamp(expression * 1.33 * 2.0, 0.0, 5.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    float filmPath = clamp(expression * 2.66, 0.0, 5.0);
     fragment0 = uvec4(88056u, octahedralBits(normal, 12), 1056964608u, unormBits(filmPath * 0.2, 11) | 2684352512u);
 }

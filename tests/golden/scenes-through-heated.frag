@@ -45,7 +45,7 @@ uint unormBits(float v, int bits) {
 void main() {
     // through.yaml:30 Expression
     float expression = uv.y * 0.05 + 0.015;
-    float filmPath = clamp(expression * 2.3 * 2.0, 0.0, 5.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    float filmPath = clamp(expression * 4.6, 0.0, 5.0);
     fragment0 = uvec4(1090445304u, octahedralBits(normal, 12) | 419430400u, 10528945u, unormBits(filmPath * 0.2, 11) | 2147483648u);
 }

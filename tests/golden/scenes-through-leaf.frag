@@ -74,9 +74,9 @@ void main() {
     // through.yaml:22 Checker
     vec2 checker_1 = stripes2(fract(uv * vec2(6.0)), max(abs(uvByY * vec2(6.0)), abs(uvByX * vec2(6.0))));
     vec3 checker = mix(vec3(0.114435375, 0.2746773, 0.023153367), vec3(0.21223076, 0.43415365, 0.04231141), 0.5 - checker_1.y * checker_1.x * 0.5);
-    vec3 diffuseTransparency = checker * 0.55 * 0.8;
     vec3 diffuse = mix(vec3(0.02842604, 0.10224173, 0.011612245), checker * 0.45, 0.8);
     uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
+    vec3 diffuseTransparency = checker * 0.44;
     uint surface_bits2 = rootBits(diffuseTransparency.x, 7) << 13 | rootBits(diffuseTransparency.y, 7) << 20 | transparency_bits << 27;
     uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 6 | 52u, surface_bits | 1929379840u, surface_bits2 | 1600u, rootBits(diffuseTransparency.z, 7) | transparency_bits << 7 | transparency_bits << 12 | 2684223488u);
     fragment0 = surface_bits3;

@@ -81,25 +81,18 @@ void main() {
         vec3 leaded;
         if (-0.34 < bays_gradient) {
             // window.yaml:21 Gradient
-            float leaded_gradient_1 = abs(fract(localPosition.x * 2.0 + 0.25) * 4.0 - 1.0) - 2.0;
-            float leaded_gradient = abs(leaded_gradient_1) - 1.0;
+            float leaded_gradient = abs(fract(localPosition.x * 2.0 + 0.25) * 4.0 - 1.0) - 2.0;
+            // window.yaml:17 Gradient
+            float rows_gradient = abs(fract(localPosition.y * 2.0 + 0.25) * 4.0 - 1.0) - 2.0;
+            // window.yaml:12 Checker
+            vec2 panes_checker_1 = fract(uv * vec2(0.5));
+            bool panes_checker_2 = (0.5 <= panes_checker_1.x) != (0.5 <= panes_checker_1.y);
+            // window.yaml:11 panes
+            vec2 panes_1 = fract(uv);
+            vec3 panes = (0.5 <= panes_1.x) != (0.5 <= panes_1.y) ? (panes_checker_2 ? vec3(0.75, 0.01, 0.02) : vec3(1.0, 0.5, 0.02)) : panes_checker_2 ? vec3(0.02, 0.08, 0.85) : vec3(0.02, 0.5, 0.12);
             // window.yaml:16 rows
-            vec3 rows;
-            if (leaded_gradient < 0.88) {
-                // window.yaml:17 Gradient
-                float rows_gradient_1 = abs(fract(localPosition.y * 2.0 + 0.25) * 4.0 - 1.0) - 2.0;
-                float rows_gradient = abs(rows_gradient_1) - 1.0;
-                // window.yaml:12 Checker
-                vec2 panes_checker_1 = fract(uv * vec2(0.5));
-                bool panes_checker_2 = (0.5 <= panes_checker_1.x) != (0.5 <= panes_checker_1.y);
-                // window.yaml:11 panes
-                vec2 panes_1 = fract(uv);
-                vec3 panes = (0.5 <= panes_1.x) != (0.5 <= panes_1.y) ? (panes_checker_2 ? vec3(0.75, 0.01, 0.02) : vec3(1.0, 0.5, 0.02)) : panes_checker_2 ? vec3(0.02, 0.08, 0.85) : vec3(0.02, 0.5, 0.12);
-                rows = mix(panes, vec3(0.0), clamp((rows_gradient - 0.84) * 25.0, 0.0, 1.0));
-            } else {
-                rows = vec3(0.0);
-            }
-            leaded = mix(rows, vec3(0.0), clamp((leaded_gradient - 0.84) * 25.0, 0.0, 1.0));
+            vec3 rows = mix(panes, vec3(0.0), clamp((abs(rows_gradient) - 1.84) * 25.0, 0.0, 1.0));
+            leaded = mix(rows, vec3(0.0), clamp((abs(leaded_gradient) - 1.84) * 25.0, 0.0, 1.0));
         } else {
             leaded = vec3(0.0);
         }

@@ -48,11 +48,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // E.yaml:11 Gradient
-    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 0.37 * 2.7182817;
+    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 1.0057642;
     // E.yaml:5 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.04373503, 0.004024717, 0.027320892), vec3(0.5394795, 0.059511237, 0.107023105), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.9646863, 0.7454042, 0.38132602), clamp(diffuse_gradient, 0.0, 1.0));
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -48,11 +48,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // Phi.yaml:11 Gradient
-    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 0.62 * 1.618034;
+    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 1.0031811;
     // Phi.yaml:5 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.023153367, 0.011612245, 0.004024717), vec3(0.462077, 0.14412847, 0.027320892), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.9559733, 0.76815116, 0.45641103), clamp(diffuse_gradient, 0.0, 1.0));
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

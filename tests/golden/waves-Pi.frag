@@ -48,11 +48,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // Pi.yaml:11 Gradient
-    float diffuse_gradient = dot(localPosition, vec3(0.8, 0.0, 0.6)) * 0.32 * 3.1415927;
+    float diffuse_gradient = dot(localPosition, vec3(0.8, 0.0, 0.6)) * 1.0053097;
     // Pi.yaml:5 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.004024717, 0.011612245, 0.054480277), vec3(0.051269457, 0.2746773, 0.43415365), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.92158186, 0.8631572, 0.69387174), clamp(diffuse_gradient, 0.0, 1.0));
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }
