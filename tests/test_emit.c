@@ -1,6 +1,5 @@
-/* What is written is what the IR means: every operation within every other, on either side, and every mixture of floats and vectors, as a
- * formula. Each is drawn under OSMesa, compared with ir_eval, and
- * parsed by glslang in one of three other languages. The optimiser takes no part, so
+/* What is written is what the IR means: every operation within every other, on either side, every mixture of floats and vectors, and branches.
+ * Each is drawn under OSMesa, compared with ir_eval, and parsed by glslang in one of three other languages. The optimiser takes no part, so
  * that what it would never leave is written too. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -261,6 +260,133 @@ static void numbers_lanes_and_vectors_are_written(void **state)
         check(*state, texts[i]);
 }
 
+/* Values and conditions, each made of some before it. */
+enum { MADE = 40, CONDITIONS = 3, RECENT = 9, SHADERS = 48 };
+typedef struct {
+    Choices choices;
+    Ir *ir;
+    Ref values[MADE], conditions[CONDITIONS];
+    int count;
+} Chosen;
+
+/* One of the last few, that much is made of each. */
+static Ref any_value(Chosen *c)
+{
+    const uint32_t most = c->count < RECENT ? (uint32_t)c->count : RECENT;
+    return c->values[c->count - 1 - (int)choose(&c->choices, most)];
+}
+
+static void add_value(Chosen *c, Ref value) { c->values[c->count++] = value; }
+
+static Ref next_value(Chosen *c)
+{
+    Ir *ir = c->ir;
+    Ref a = any_value(c), b = any_value(c), by = c->conditions[choose(&c->choices, CONDITIONS)];
+    switch (choose(&c->choices, 6)) {
+    case 0:
+        return build_mul(ir, build_add(ir, a, b), build_float(ir, 0.5));
+    case 1:
+        return build_mul(ir, a, b);
+    case 2:
+        return build_call(ir, FN_noise, build_vec(ir, TYPE_vec3, a, b, a));
+    default:
+        return build_select(ir, by, a, chance(&c->choices, 1, 2) ? build_float(ir, 0) : b);
+    }
+}
+
+/* Selects that alone need a noise, by one condition; others may be made of one and needed by the next. */
+static void add_together(Chosen *c)
+{
+    Ir *ir = c->ir;
+    Ref by = c->conditions[choose(&c->choices, CONDITIONS)], a = any_value(c);
+    Ref noise = build_call(ir, FN_noise, build_vec(ir, TYPE_vec3, a, any_value(c), a));
+    for (int i = 0; i < 3 && c->count < MADE; i++) {
+        Ref arm = build_mul(ir, noise, any_value(c)), other = any_value(c);
+        c->values[c->count++] =
+            chance(&c->choices, 1, 4) ? build_select(ir, by, other, arm) : build_select(ir, by, arm, other);
+    }
+}
+
+/* What is compared is exact: inputs, one or the other of them, and numbers. */
+static void choose_values(Chosen *c, Ir *ir, uint64_t index)
+{
+    Ref p = build_input(ir, INPUT_X);
+    c->ir = ir;
+    c->count = 3;
+    choices_random(&c->choices, 7, index);
+    for (int i = 0; i < 3; i++)
+        c->values[i] = build_swizzle(ir, p, (const char *[]){"x", "y", "z"}[i]);
+    for (int i = 0; i < CONDITIONS; i++) {
+        Ref a = any_value(c), b = any_value(c);
+        Ref value = i ? build_select(ir, c->conditions[choose(&c->choices, (uint32_t)i)], a, b) : a;
+        c->conditions[i] = build_lt(ir, value, build_float(ir, 0.3 + 0.5 * choose_part(&c->choices)));
+    }
+    while (c->count < MADE)
+        if (chance(&c->choices, 1, 3))
+            add_together(c);
+        else
+            add_value(c, next_value(c));
+}
+
+/* Two variables that one branch sets. */
+static bool declares_several(const char *fragment)
+{
+    bool before = false;
+    for (const char *line = fragment; line; line = strchr(line + 1, '\n')) {
+        const char *word = line + strspn(line, "\n "), *end = word + strcspn(word, "=;\n");
+        const bool declares = !strncmp(word, "float ", strlen("float ")) && *end == ';';
+        if (declares && before)
+            return true;
+        before = declares;
+    }
+    return false;
+}
+
+static int times(const char *text, const char *word)
+{
+    int n = 0;
+    for (; (text = strstr(text, word)); text++)
+        n++;
+    return n;
+}
+
+static int noises_of(const Ir *ir)
+{
+    int n = 0;
+    for (Ref ref = 1; ref < ir->count; ref++)
+        n += ir_is(ir, ref, OP_call);
+    return n;
+}
+
+/* Selects by few conditions, of noises that several of them need, in each other and beside each other, with a second output that is written
+ * before; as branches. */
+static void branches_by_one_condition_are_what_they_mean(void **state)
+{
+    int several = 0;
+    for (int i = 0; i < SHADERS; i++) {
+        Site s;
+        Chosen c;
+        char text[LONGEST];
+        snprintf(text, sizeof text, "shader %d", i);
+        site_open(&s);
+        choose_values(&c, s.ir, (uint64_t)i);
+        ir_output(s.ir, OUT_discard, 0, build_lt(s.ir, c.values[MADE - 5], build_float(s.ir, -1000)));
+        ir_output(
+            s.ir, OUT_color, 0,
+            build_vec(s.ir, TYPE_vec4, c.values[MADE - 1], c.values[MADE - 2], c.values[MADE - 3], c.values[MADE - 4]));
+        s.compile.optimize = 1; /* there are branches */
+        emit_for(&s, TARGET_essl300, text);
+        const char *fragment = emit_for(&s, TARGET_glsl330, text);
+        s.ir->outputs[0] = s.ir->outputs[s.ir->output_count = 1]; /* the one that is compared */
+        compare(*state, s.ir, text, fragment);
+        several += declares_several(fragment);
+        assert_true(times(fragment, "noise(vec3(") <= noises_of(s.ir)); /* what is needed twice is written once */
+        site_close(&s);
+    }
+
+    assert_true(several > SHADERS / 4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -268,6 +394,7 @@ int main(void)
         cmocka_unit_test(comparisons_and_logic_stand_within_each_other),
         cmocka_unit_test(floats_and_vectors_mix),
         cmocka_unit_test(numbers_lanes_and_vectors_are_written),
+        cmocka_unit_test(branches_by_one_condition_are_what_they_mean),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -43,46 +43,68 @@ static bool needs_name(const Scope *e, Ref ref, int size)
     return (ir_is_head(e->ir, ref) && size > 1) || size > LARGEST_EXPRESSION;
 }
 
-/* One side of a branch: the statements of `block`, and then target = value. */
-typedef struct {
-    const char *target;
-    Ref value;
-    int block;
-} Arm;
+/* A branch sets what is of its region, one after the other from `region` on by Schedule.mate; its sides are 0 and 1. */
+static Ref side_value(const Scope *e, Ref ref, int side) { return ir_arg(e->ir, ref, 1 + side); }
 
-static void put_assignment(Scope *e, Text *out, const Arm *arm, int depth);
-static bool put_else_if(Scope *e, Text *out, const Arm *arm, int depth);
+static void put_branch(Scope *e, Text *out, Ref region, int depth);
 
-/* A select that is an arm's value and nothing else's assigns to the outer target itself. */
-static bool is_tail(const Scope *e, const Arm *arm)
+/* It is computed in the block, for what is set there and nothing else. */
+static bool is_own(const Scope *e, Ref value, int block) { return e->s.uses[value] == 1 && e->s.block[value] == block; }
+
+/* A branch by which a side sets all that the region sets, and nothing else, has the targets of this one: it is that; 0 is none. */
+static Ref tail_of(const Scope *e, Ref region, int side)
 {
-    return e->s.arm[arm->value] && e->s.uses[arm->value] == 1 && e->s.block[arm->value] == arm->block;
+    const Ref tail = side_value(e, region, side);
+    Ref ref = region, within = tail;
+    do {
+        Ref value = side_value(e, ref, side);
+        if (!e->s.arm[value] || e->s.arm[value] != e->s.arm[tail] || !is_own(e, value, e->s.arm[region] + side))
+            return 0;
+        within = e->s.mate[within];
+        ref = e->s.mate[ref];
+    } while (ref != region && within != tail);
+    return ref == region && within == tail ? tail : 0;
 }
 
-/* if (...) { ... target = a; } else { ... target = b; } */
-static void put_branch(Scope *e, Text *out, const char *target, Ref ref, int depth)
+/* What needs no statement of its own in a side: the tail, or what is computed in an assignment. */
+static void leave_to_side(Scope *e, Ref region, int side, Ref tail)
 {
-    const Arm then = {target, ir_arg(e->ir, ref, 1), e->s.arm[ref]};
-    const Arm other = {target, ir_arg(e->ir, ref, 2), e->s.arm[ref] + 1};
-    text_put(out, "if (");
-    emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_any);
-    text_put(out, ") {\n");
-    put_assignment(e, out, &then, depth + 1);
-    emit_indent(out, depth);
-    text_put(out, "} else ");
-    if (put_else_if(e, out, &other, depth))
+    Ref ref = region;
+    do {
+        Ref value = side_value(e, ref, side);
+        if (tail)
+            e->names[value] = e->names[ref];
+        if (tail || (is_own(e, value, e->s.arm[region] + side) && !e->s.arm[value]))
+            e->done[value] = 1;
+    } while ((ref = e->s.mate[ref]) != region);
+}
+
+/* One side: what any of the region needs, and then a value for each. */
+static void put_side(Scope *e, Text *out, Ref region, int side, int depth)
+{
+    const Ref tail = tail_of(e, region, side);
+    Ref ref = region;
+    leave_to_side(e, region, side, tail);
+    emit_block(e, out, e->s.arm[region] + side, depth);
+    if (tail) {
+        emit_indent(out, depth);
+        put_branch(e, out, tail, depth);
         return;
-    text_put(out, "{\n");
-    put_assignment(e, out, &other, depth + 1);
-    emit_indent(out, depth);
-    text_put(out, "}\n");
+    }
+    do {
+        emit_indent(out, depth);
+        text_put(out, e->names[ref]);
+        text_put(out, " = ");
+        emit_expression(e, out, side_value(e, ref, side), PRECEDENCE_any);
+        text_put(out, ";\n");
+    } while ((ref = e->s.mate[ref]) != region);
 }
 
-/* Whether an arm has statements besides its value's own. */
-static bool has_statements(Scope *e, const Arm *arm)
+/* Whether a block has statements besides those of a branch. */
+static bool has_statements(Scope *e, int block, Ref tail)
 {
-    for (Ref ref = e->s.blocks[arm->block].first; ref; ref = e->s.next[ref]) {
-        if (ref == arm->value || e->done[ref])
+    for (Ref ref = e->s.blocks[block].first; ref; ref = e->s.next[ref]) {
+        if (e->s.arm[ref] == e->s.arm[tail] || e->done[ref])
             continue;
         int size = expression_size(e, ref);
         e->size[ref] = (uint16_t)size; /* operands come first: the sizes above build on it */
@@ -92,60 +114,75 @@ static bool has_statements(Scope *e, const Arm *arm)
     return false;
 }
 
-/* An arm that is nothing but another branch follows its `else` at once. */
-static bool put_else_if(Scope *e, Text *out, const Arm *arm, int depth)
+/* A side that is nothing but another branch follows its `else` at once. */
+static bool put_else_if(Scope *e, Text *out, Ref region, int depth)
 {
-    if (!is_tail(e, arm) || has_statements(e, arm))
+    const Ref tail = tail_of(e, region, 1);
+    if (!tail || has_statements(e, e->s.arm[region] + 1, tail))
         return false;
-    e->done[arm->value] = 1;
-    e->names[arm->value] = arm->target;
-    put_branch(e, out, arm->target, arm->value, depth);
+    leave_to_side(e, region, 1, tail);
+    put_branch(e, out, tail, depth);
     return true;
 }
 
-static void put_assignment(Scope *e, Text *out, const Arm *arm, int depth)
+/* if (...) { ... target = a; } else { ... target = b; } */
+static void put_branch(Scope *e, Text *out, Ref region, int depth)
 {
-    bool tail = is_tail(e, arm), own = e->s.uses[arm->value] == 1 && e->s.block[arm->value] == arm->block;
-    if (own) /* the assignment is its statement */
-        e->done[arm->value] = 1;
-    if (tail)
-        e->names[arm->value] = arm->target;
-    emit_block(e, out, arm->block, depth);
+    text_put(out, "if (");
+    emit_expression(e, out, ir_arg(e->ir, region, 0), PRECEDENCE_any);
+    text_put(out, ") {\n");
+    put_side(e, out, region, 0, depth + 1);
     emit_indent(out, depth);
-    if (tail) {
-        put_branch(e, out, arm->target, arm->value, depth);
-    } else {
-        text_put(out, arm->target);
-        text_put(out, " = ");
-        emit_expression(e, out, arm->value, PRECEDENCE_any);
-        text_put(out, ";\n");
-    }
+    text_put(out, "} else ");
+    if (put_else_if(e, out, region, depth))
+        return;
+    text_put(out, "{\n");
+    put_side(e, out, region, 1, depth + 1);
+    emit_indent(out, depth);
+    text_put(out, "}\n");
 }
 
-static void put_statement(Scope *e, Text *out, Ref ref, int depth)
+static const char *put_declaration(Scope *e, Text *out, Ref ref, int depth)
 {
     const IrNode *node = ir_at(e->ir, ref);
-    int size = expression_size(e, ref);
-    e->done[ref] = 1;
-    if (!needs_name(e, ref, size)) {
-        e->size[ref] = (uint16_t)size;
-        return;
-    }
     put_comment(e, out, node, depth);
     const char *name = emit_new_name(e, node);
     emit_indent(out, depth);
     text_put(out, type_table[node->type].name);
     text_char(out, ' ');
     text_put(out, name);
-    if (e->s.arm[ref]) {
+    e->done[ref] = 1;
+    return name;
+}
+
+/* The branch that sets what is of a region, and before it the declarations. */
+static void put_region(Scope *e, Text *out, Ref region, int depth)
+{
+    Ref ref = region;
+    do {
+        e->names[ref] = put_declaration(e, out, ref, depth);
         text_put(out, ";\n");
-        emit_indent(out, depth);
-        put_branch(e, out, name, ref, depth);
-    } else {
-        text_put(out, " = ");
-        emit_expression(e, out, ref, PRECEDENCE_any);
-        text_put(out, ";\n");
+    } while ((ref = e->s.mate[ref]) != region);
+    emit_indent(out, depth);
+    put_branch(e, out, region, depth);
+}
+
+static void put_statement(Scope *e, Text *out, Ref ref, int depth)
+{
+    int size = expression_size(e, ref);
+    e->done[ref] = 1;
+    if (!needs_name(e, ref, size)) {
+        e->size[ref] = (uint16_t)size;
+        return;
     }
+    if (e->s.arm[ref]) {
+        put_region(e, out, ref, depth);
+        return;
+    }
+    const char *name = put_declaration(e, out, ref, depth);
+    text_put(out, " = ");
+    emit_expression(e, out, ref, PRECEDENCE_any);
+    text_put(out, ";\n");
     e->names[ref] = name;
 }
 
@@ -156,14 +193,30 @@ void emit_block(Scope *e, Text *out, int block, int depth)
             put_statement(e, out, ref, depth);
 }
 
+/* Marks what a root needs of what is not written yet: of a region all. */
+static uint8_t *needed_by(Scope *e, Ref root)
+{
+    uint8_t *needed = ARENA_ARRAY(e->scratch, uint8_t, e->ir->count);
+    Ref *met = NULL;
+    size_t count = 0, room = 0;
+    ARENA_PUSH(e->scratch, met, count, room, root);
+    while (count) {
+        Ref ref = met[--count];
+        if (needed[ref] || e->done[ref])
+            continue;
+        needed[ref] = 1;
+        if (e->s.mate[ref] != ref)
+            ARENA_PUSH(e->scratch, met, count, room, e->s.mate[ref]);
+        for (int i = 0; i < ir_at(e->ir, ref)->count; i++)
+            ARENA_PUSH(e->scratch, met, count, room, ir_arg(e->ir, ref, i));
+    }
+    return needed;
+}
+
 void emit_needed(Scope *e, Text *out, Ref root, int depth)
 {
-    uint8_t *needed = ARENA_ARRAY(e->scratch, uint8_t, root + 1);
-    needed[root] = 1;
-    for (Ref ref = root; ref > 0; ref--)
-        for (int i = 0; needed[ref] && i < ir_at(e->ir, ref)->count; i++)
-            needed[ir_arg(e->ir, ref, i)] = 1;
-    for (Ref ref = e->s.blocks[0].first; ref && ref <= root; ref = e->s.next[ref])
+    const uint8_t *needed = needed_by(e, root);
+    for (Ref ref = e->s.blocks[0].first; ref; ref = e->s.next[ref])
         if (needed[ref] && !e->done[ref])
             put_statement(e, out, ref, depth);
 }

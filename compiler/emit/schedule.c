@@ -1,10 +1,25 @@
 /* Placement by one sweep from users to operands: a node's block is the nearest common one of its uses.
  *
  *     a = noise(p); b = sin(a); c = a * 2; v = select(t, b, c), written as a branch
- *     v lies in main's block, b in the first arm and c in the second, a in main: the nearest that holds both of its uses */
+ *     v lies in main's block, b in the first arm and c in the second, a in main: the nearest that holds both of its uses
+ *
+ * Branches by one condition in one block are joined to a region, so that what several of them need, and nothing else, is in an arm, too:
+ *
+ *     a = noise(p); b = sin(a); v = select(t, b, 0); w = select(t, a, 1)      if (t) { a = ..; v = sin(a); w = a; } else { v = 0; w = 1; }
+ *
+ * One that another is made of, by way of what stands outside, cannot be in its region. So regions have stages, from the end of the scope: a
+ * node's is the greatest of its users', and one more where that is of a region. A branch joins a region of no smaller stage than its own;
+ * what is written by falling stages, of each the regions first, has operands before users. */
 #include "compiler/emit/schedule.h"
 
 enum { BRANCH_COST = 40 }; /* scalar operations in an arm from which on a branch pays */
+
+/* What is by one condition. */
+typedef struct Condition {
+    uint32_t branches;
+    uint32_t stage; /* the greatest that one of them has to have */
+    Ref open;       /* the greatest of the region that others may join; 0: none */
+} Condition;
 
 static int common_block(const Schedule *s, int a, int b)
 {
@@ -24,21 +39,53 @@ static int add_block(Schedule *s, int parent)
     return (int)s->block_count - 1;
 }
 
-static void use(Schedule *s, Ref ref, int block)
+static void use(Schedule *s, Ref ref, int block, uint32_t stage)
 {
     s->block[ref] = s->block[ref] < 0 ? block : common_block(s, s->block[ref], block);
+    s->stage[ref] = stage > s->stage[ref] ? stage : s->stage[ref];
     s->uses[ref]++;
 }
 
-/* Uses of a select's operands: the arms in blocks of their own, the condition where the select is. */
+static Condition *condition_of(const Ir *ir, const Schedule *s, Ref branch)
+{
+    return &s->conditions[ir_arg(ir, branch, 0)];
+}
+
+/* Whether a branch, all users of which were met, may be of the region that is open. */
+static bool joins(const Schedule *s, const Condition *condition, Ref ref)
+{
+    return condition->open && s->block[condition->open] == s->block[ref] && s->stage[condition->open] >= s->stage[ref];
+}
+
+static void join(Schedule *s, Ref ref, Ref open)
+{
+    s->stage[ref] = s->stage[open];
+    s->arm[ref] = s->arm[open];
+    s->mate[ref] = s->mate[open];
+    s->mate[open] = ref;
+    s->regions = true;
+}
+
+/* Uses of a select's operands: the arms in blocks of their own, the condition where the select is, once a region. */
 static void use_arms(const Ir *ir, Schedule *s, Ref ref)
 {
-    int block = s->block[ref];
-    s->arm[ref] = add_block(s, block);
-    int other = add_block(s, block);
-    use(s, ir_arg(ir, ref, 0), block);
-    use(s, ir_arg(ir, ref, 1), s->arm[ref]);
-    use(s, ir_arg(ir, ref, 2), other);
+    Condition *condition = condition_of(ir, s, ref);
+    const bool several = condition->branches > 1, joined = several && joins(s, condition, ref);
+    const int block = s->block[ref];
+    if (joined) {
+        join(s, ref, condition->open);
+    } else {
+        if (several && condition->stage > s->stage[ref])
+            s->stage[ref] = condition->stage;
+        condition->open = ref;
+        s->arm[ref] = add_block(s, block);
+        add_block(s, block);
+    }
+    const uint32_t stage = s->stage[ref] + several;
+    if (!joined)
+        use(s, ir_arg(ir, ref, 0), block, stage);
+    use(s, ir_arg(ir, ref, 1), s->arm[ref], stage);
+    use(s, ir_arg(ir, ref, 2), s->arm[ref] + 1, stage);
 }
 
 static double node_cost(const Ir *ir, Ref ref) { return ir_applies(ir, ref) ? BRANCH_COST : ir_cost(ir, ref); }
@@ -46,14 +93,41 @@ static double node_cost(const Ir *ir, Ref ref) { return ir_applies(ir, ref) ? BR
 static void clear(Schedule *s)
 {
     s->block_count = 0;
+    s->regions = false;
     add_block(s, -1);
     for (size_t i = 0; i < s->nodes.count; i++) {
         Ref ref = s->nodes.at[i];
         s->block[ref] = -1;
+        s->stage[ref] = 0;
         s->uses[ref] = 0;
         s->arm[ref] = 0;
-        s->next[ref] = 0;
+        s->mate[ref] = ref;
     }
+}
+
+/* Counts the branches of each condition, and finds a stage for all of them: that of the first by all that is known before any is joined. */
+static void find_conditions(const Ir *ir, Schedule *s)
+{
+    bool several = false;
+    for (size_t i = 0; i < s->nodes.count; i++)
+        s->conditions[s->nodes.at[i]] = (Condition){0};
+    for (size_t i = 0; i < s->nodes.count; i++)
+        if (s->branch[s->nodes.at[i]])
+            several |= ++condition_of(ir, s, s->nodes.at[i])->branches > 1;
+    for (size_t i = 0; several && i < s->nodes.count; i++) {
+        Ref ref = s->nodes.at[i];
+        uint32_t stage = s->stage[ref];
+        if (s->branch[ref] && condition_of(ir, s, ref)->branches > 1) {
+            Condition *condition = condition_of(ir, s, ref);
+            condition->stage = stage > condition->stage ? stage : condition->stage;
+            stage = condition->stage + 1;
+        }
+        for (int k = 0; k < ir_at(ir, ref)->count; k++)
+            if (s->stage[ir_arg(ir, ref, k)] < stage)
+                s->stage[ir_arg(ir, ref, k)] = stage;
+    }
+    for (size_t i = 0; several && i < s->nodes.count; i++)
+        s->stage[s->nodes.at[i]] = 0;
 }
 
 /* A branch that would lie too deep in others is none. */
@@ -63,30 +137,21 @@ static void bound_depth(Schedule *s, Ref ref)
         s->branch[ref] = 0;
 }
 
-/* It takes differences between neighbouring pixels, which must all come by. */
-static bool needs_neighbours(const Ir *ir, Ref ref)
-{
-    return ir_is(ir, ref, OP_call) &&
-           (ir_at(ir, ref)->payload == FN_imageSampled || ir_at(ir, ref)->payload == FN_imageCentred);
-}
-
 static void assign_blocks(const Ir *ir, Schedule *s, const Ref *roots, int count)
 {
     clear(s);
+    find_conditions(ir, s);
     for (int i = 0; i < count; i++)
-        use(s, roots[i], 0);
+        use(s, roots[i], 0, 0);
     for (size_t k = 0; k < s->nodes.count; k++) {
         Ref ref = s->nodes.at[k];
-        if (needs_neighbours(ir, ref))
+        if (ir_needs_neighbours(ir, ref))
             s->block[ref] = 0;
-        int block = s->block[ref];
-        s->next[ref] = s->blocks[block].first;
-        s->blocks[block].first = ref;
         bound_depth(s, ref);
         if (s->branch[ref])
             use_arms(ir, s, ref);
         for (int i = 0; !s->branch[ref] && i < ir_at(ir, ref)->count; i++)
-            use(s, ir_arg(ir, ref, i), block);
+            use(s, ir_arg(ir, ref, i), s->block[ref], s->stage[ref]);
     }
 }
 
@@ -96,6 +161,19 @@ static void add_costs(const Ir *ir, Schedule *s)
         s->blocks[s->block[s->nodes.at[i]]].cost += node_cost(ir, s->nodes.at[i]);
     for (size_t b = s->block_count - 1; b > 0; b--)
         s->blocks[s->blocks[b].parent].cost += s->blocks[b].cost;
+}
+
+static bool is_computed_in(const Ir *ir, const Schedule *s, Ref value, int block)
+{
+    return s->block[value] == block && ir_at(ir, value)->count;
+}
+
+/* It is of a region in which nothing is computed for it. */
+static bool has_empty_arms(const Ir *ir, const Schedule *s, Ref ref)
+{
+    const int arm = s->arm[ref];
+    return s->mate[ref] != ref && !is_computed_in(ir, s, ir_arg(ir, ref, 1), arm) &&
+           !is_computed_in(ir, s, ir_arg(ir, ref, 2), arm + 1);
 }
 
 /* Keeps as branches the selects with an arm that is worth skipping. */
@@ -110,12 +188,46 @@ static bool demote(const Ir *ir, Schedule *s)
         if (!s->branch[ref])
             continue;
         const Block *a = &s->blocks[s->arm[ref]], *b = a + 1;
-        if (a->cost >= BRANCH_COST || b->cost >= BRANCH_COST)
+        if ((a->cost >= BRANCH_COST || b->cost >= BRANCH_COST) && !has_empty_arms(ir, s, ref))
             continue;
         s->branch[ref] = 0;
         demoted = true;
     }
     return demoted;
+}
+
+/* Brings the nodes, which fall by number, in an order in which regions are whole. Of a region its greatest stands for all. */
+static void order(Schedule *s)
+{
+    uint32_t stages = 0;
+    size_t place = s->nodes.count;
+    for (size_t i = 0; i < s->nodes.count; i++)
+        stages = s->stage[s->nodes.at[i]] >= stages ? s->stage[s->nodes.at[i]] + 1 : stages;
+    Ref *first = ARENA_ARRAY(s->arena, Ref, 2 * (size_t)stages);
+    for (size_t i = 0; i < s->nodes.count; i++) {
+        Ref ref = s->nodes.at[i], *list = &first[2 * (size_t)s->stage[ref] + (s->mate[ref] < ref)];
+        if (s->mate[ref] > ref)
+            continue;
+        s->next[ref] = *list;
+        *list = ref;
+    }
+    for (size_t list = 2 * (size_t)stages; list-- > 0;)
+        for (Ref ref = first[list]; ref; ref = s->next[ref]) {
+            Ref mate = ref;
+            do {
+                mate = s->mate[mate];
+                s->nodes.at[--place] = mate;
+            } while (mate != ref);
+        }
+}
+
+static void link_blocks(Schedule *s)
+{
+    for (size_t i = 0; i < s->nodes.count; i++) {
+        Ref ref = s->nodes.at[i];
+        s->next[ref] = s->blocks[s->block[ref]].first;
+        s->blocks[s->block[ref]].first = ref;
+    }
 }
 
 Schedule schedule_new(const Ir *ir, Arena *arena)
@@ -126,6 +238,9 @@ Schedule schedule_new(const Ir *ir, Arena *arena)
                       .next = ARENA_ARRAY(arena, Ref, ir->count),
                       .uses = ARENA_ARRAY(arena, uint32_t, ir->count),
                       .arm = ARENA_ARRAY(arena, int, ir->count),
+                      .mate = ARENA_ARRAY(arena, Ref, ir->count),
+                      .stage = ARENA_ARRAY(arena, uint32_t, ir->count),
+                      .conditions = ARENA_ARRAY(arena, Condition, ir->count),
                       .branch = ARENA_ARRAY(arena, uint8_t, ir->count)};
 }
 
@@ -143,4 +258,7 @@ void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branc
     assign_blocks(ir, s, roots, count);
     if (demote(ir, s))
         assign_blocks(ir, s, roots, count);
+    if (s->regions)
+        order(s);
+    link_blocks(s);
 }

@@ -1,6 +1,6 @@
 /* Where each node of a scope (main or one function) is computed: in the scope itself, or in one arm of a select that is
  * written as if/else because its arms are costly. A node lies in the innermost block that holds all of its uses, so nothing
- * is set in one branch and read in another. */
+ * is set in one branch and read in another. Selects by one condition are a region: one if/else that sets all of them. */
 #ifndef MATC_SCHEDULE_H
 #define MATC_SCHEDULE_H
 #include "compiler/ir/ir.h"
@@ -14,14 +14,18 @@ typedef struct {
 /* The arrays by Ref serve one scope after the other. */
 typedef struct {
     Arena *arena;
-    IrReach nodes; /* of the scope */
+    IrReach nodes; /* of the scope, users before operands; of a region one behind the other */
     Block *blocks;
     size_t block_count, block_room;
+    bool regions; /* there are some */
     int *block;     /* by Ref: where it lies */
     Ref *next;      /* by Ref */
     uint32_t *uses; /* by Ref: in this scope */
     int *arm; /* by Ref of a select written as if/else: its block for true; the one for false is the next; else 0 */
+    Ref *mate;       /* by Ref: of a region the next greater, of its greatest the least; itself where it is in none */
     uint8_t *branch; /* by Ref: a select that is written as if/else */
+    uint32_t *stage; /* by Ref: how many regions there are at most behind it, one after the other; schedule.c */
+    struct Condition *conditions; /* by Ref of a condition; schedule.c */
 } Schedule;
 
 Schedule schedule_new(const Ir *ir, Arena *arena);

@@ -217,6 +217,12 @@ Ref ir_make(Ir *ir, IrNode made, const Ref *args)
     return ir->simplify && !(ir->nodes[ref].flags & NODE_simple) ? ir->simplify(ir, ref) : ref;
 }
 
+bool ir_needs_neighbours(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_call) &&
+           (ir_at(ir, ref)->payload == FN_imageSampled || ir_at(ir, ref)->payload == FN_imageCentred);
+}
+
 bool ir_is_number(const Ir *ir, Ref ref, double value)
 {
     if (!ir_is(ir, ref, OP_const))

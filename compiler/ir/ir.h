@@ -192,6 +192,8 @@ static inline void ir_set_head(Ir *ir, Ref ref, bool head)
 }
 /* It runs a function of the program, which its payload numbers. */
 static inline bool ir_applies(const Ir *ir, Ref ref) { return op_payload[ir->nodes[ref].op] == PAYLOAD_function; }
+/* It takes differences between neighbouring pixels, which must all come by: it stands in no branch. */
+bool ir_needs_neighbours(const Ir *ir, Ref ref);
 /* A constant all of whose lanes are `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 

@@ -30,12 +30,18 @@ typedef struct {
     Ref shows;
 } MixedSide;
 
-/* A side of a Mix, as the slot's type; the costly behind a guard: nobody reads it where the other has all. */
-static Ref mixed_side(Lower *l, const MixedSide *of, Slot slot, const Env *env)
+/* A side of a Mix, as the slot's type. */
+static Ref side_value(Lower *l, const MixedSide *of, Slot slot, const Env *env)
 {
     l->arms++;
     Ref value = build_convert(l->ir, side_of_mix(l, of->mix, of->side, slot, env), slot_table[slot].type);
     l->arms--;
+    return value;
+}
+
+/* The costly behind a guard: nobody reads it where the other has all. */
+static Ref guarded_side(Lower *l, const MixedSide *of, Ref value)
+{
     return l->cheap && blend_is_costly(l->ir, value) ? blend_guarded(l, of->shows, value) : value;
 }
 
@@ -85,18 +91,19 @@ static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int de
     return mixed(l, slot, sides, build_clamp(ir, red, build_float(ir, 0), build_float(ir, 1)));
 }
 
-/* How much the second side counts, as much as it has of the slot that weighs this one: t b / ((1 - t) a + t b). Where both have nothing, t. */
-static Ref weighed(Lower *l, const Node *m, Slot by, Ref t, const Env *env)
+/* How much the second side counts, as much as it has of the slot that weighs this one. Where both have nothing, t. */
+static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env *env)
 {
     Ir *ir = l->ir;
     Ref least = build_float(ir, 1e-6), one = build_float(ir, 1);
-    Ref a = side_of_mix(l, m, lower_param_node(m, P_MixMaterial_a), by, env),
-        b = side_of_mix(l, m, lower_param_node(m, P_MixMaterial_b), by, env);
+    Ref a = side_value(l, &sides[0], by, env), b = side_value(l, &sides[1], by, env);
     if (a == b)
         return t;
     const bool alone = ir_is_number(ir, a, 0);
     const uint32_t origin = ir->origin;
-    ir->origin = ir_origin(ir, m); /* it is the Mix's, whichever slot asks first */
+    a = guarded_side(l, &sides[0], a);
+    b = guarded_side(l, &sides[1], b);
+    ir->origin = ir_origin(ir, sides[0].mix); /* it is the Mix's, whichever slot asks first */
     a = build_mul(ir, build_sub(ir, one, t), a);
     b = build_mul(ir, t, b);
     Ref sum = alone ? b : build_add(ir, a, b);
@@ -105,17 +112,6 @@ static Ref weighed(Lower *l, const Node *m, Slot by, Ref t, const Env *env)
     lower_mark_head(ir, share, ir->origin);
     ir->origin = origin;
     return share;
-}
-
-/* A slot that is of no account without another one. */
-static Ref weighed_mix(Lower *l, const Node *m, Slot slot, Ref red, const Env *env)
-{
-    Ir *ir = l->ir;
-    Ref t = build_clamp(ir, red, build_float(ir, 0), build_float(ir, 1));
-    const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);
-    Ref first = build_convert(ir, side_of_mix(l, m, a, slot, env), slot_table[slot].type);
-    Ref second = build_convert(ir, side_of_mix(l, m, b, slot, env), slot_table[slot].type);
-    return first == second ? first : build_mix(ir, first, second, weighed(l, m, slot_weight(slot), t, env));
 }
 
 static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
@@ -127,11 +123,16 @@ static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
     const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);
     if (l->cheap && known && (*known <= 0 || *known >= 1))
         return side_of_mix(l, m, *known <= 0 ? a : b, slot, env);
-    if (slot_weight(slot) != SLOT_COUNT)
-        return weighed_mix(l, m, slot, red, env);
-    Ref first = mixed_side(l, &(MixedSide){m, a, build_lt(ir, red, one)}, slot, env);
-    Ref second = mixed_side(l, &(MixedSide){m, b, build_lt(ir, zero, red)}, slot, env);
-    return first == second ? first : mixed_by(l, slot, (Ref[]){first, second}, mask, MOST_SPLITS);
+    const MixedSide sides[] = {{m, a, build_lt(ir, red, one)}, {m, b, build_lt(ir, zero, red)}};
+    Ref first = side_value(l, &sides[0], slot, env), second = side_value(l, &sides[1], slot, env);
+    if (first == second)
+        return first;
+    first = guarded_side(l, &sides[0], first);
+    second = guarded_side(l, &sides[1], second);
+    if (slot_weight(slot) == SLOT_COUNT)
+        return mixed_by(l, slot, (Ref[]){first, second}, mask, MOST_SPLITS);
+    Ref t = build_clamp(ir, red, zero, one);
+    return build_mix(ir, first, second, weighed(l, sides, slot_weight(slot), t, env));
 }
 
 Ref lower_MixMaterial(Lower *l, const Node *m, Slot slot, const Env *env)

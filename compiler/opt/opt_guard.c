@@ -1,9 +1,12 @@
-/* Guards of what is computed anyhow go. A guard pays where nothing but itself needs what is costly below it:
+/* Guards of what is computed anyhow go. Those by one condition are one branch (emit/schedule.c), which pays where nothing but they need what
+ * is costly below them:
  *
- *     a = granite(p); g = guard(c, a); h = guard(d, a)    a is needed by two, so each branch would hold nothing: g and h become a
+ *     a = granite(p); g = guard(c, a); h = guard(d, a)    a is needed by two conditions, so each branch would hold nothing: g and h become a
  *     a = granite(p); s = sqrt(a); g = guard(c, s)        s and a are g's alone: g stays, and is written as a branch
+ *     a = granite(p); g = guard(c, a); h = guard(c, 2 a)  a is theirs alone: both stay, as one branch
  *
- * All that is the guard's alone is found from its value downward: an operand is, once as many of its users are as it has. */
+ * All that is theirs alone is found from their values downward: an operand is, once as many of its users are as it has. What takes differences
+ * between pixels is nobody's: no branch may hold it. */
 #include "compiler/opt/opt.h"
 
 enum {
@@ -13,35 +16,57 @@ enum {
 
 typedef struct {
     const uint32_t *uses; /* by Ref */
-    uint32_t *own;        /* by Ref: of the uses, those by what is the guard's alone; 0 again in between */
+    Ref *first;           /* by condition: its guards, linked by `next` */
+    Ref *next;            /* by guard */
+    uint32_t *own;        /* by Ref: of the uses, those by what is the guards' alone; 0 again in between */
     Ref *met;             /* nodes whose `own` is set */
     size_t met_count, met_room;
+    Ref *alone; /* what is the guards' alone */
+    size_t alone_count, alone_room;
 } Guards;
 
-static void note_use(Ir *ir, Guards *g, Ref value, Ref *alone, int *count)
+static void note_use(Ir *ir, Guards *g, Ref value)
 {
+    if (ir_needs_neighbours(ir, value))
+        return;
     if (!g->own[value])
         ARENA_PUSH(&ir->scratch, g->met, g->met_count, g->met_room, value);
     if (++g->own[value] == g->uses[value])
-        alone[(*count)++] = value;
+        ARENA_PUSH(&ir->scratch, g->alone, g->alone_count, g->alone_room, value);
 }
 
-/* Whether what is the guard's alone costs as much as a branch is worth. Looks at no more nodes than ROOM, lanes and vectors of what is
- * looked at cost nothing. */
-static bool pays(Ir *ir, Guards *g, Ref guard)
+enum { ROOM = 256 }; /* nodes that are looked at for one condition, beside the values of its guards */
+
+/* What is the guards' alone, as far as needed: until it is worth a branch and has all their values, or there is no more. False: it is not
+ * worth one. Lanes and vectors of what is looked at cost nothing. */
+static bool pays(Ir *ir, Guards *g, Ref first)
 {
-    enum { ROOM = 256 };
-    Ref alone[ROOM + UINT8_MAX];
-    int count = 0, cost = 0;
-    note_use(ir, g, ir_arg(ir, guard, 1), alone, &count);
-    for (int i = 0; i < count && count < ROOM && cost < WORTH_A_BRANCH; i++) {
-        cost += ir_applies(ir, alone[i]) ? WORTH_A_BRANCH : ir_cost(ir, alone[i]);
-        for (int k = 0; k < ir_at(ir, alone[i])->count; k++)
-            note_use(ir, g, ir_arg(ir, alone[i], k), alone, &count);
+    size_t i = 0, values = 0;
+    int cost = 0;
+    g->alone_count = 0;
+    for (Ref guard = first; guard; guard = g->next[guard], values++)
+        note_use(ir, g, ir_arg(ir, guard, 1));
+    const bool all = g->alone_count == values;
+    for (; i < g->alone_count && i < values + ROOM && (cost < WORTH_A_BRANCH || !all); i++) {
+        const Ref ref = g->alone[i];
+        cost += ir_applies(ir, ref) ? WORTH_A_BRANCH : ir_cost(ir, ref);
+        for (int k = 0; k < ir_at(ir, ref)->count; k++)
+            note_use(ir, g, ir_arg(ir, ref, k));
+    }
+    return cost >= WORTH_A_BRANCH;
+}
+
+/* Of the guards of a condition those go that spare nothing: all, or those whose value others need, too. */
+static void judge(Ir *ir, Guards *g, Ref first)
+{
+    const bool paid = pays(ir, g, first);
+    for (Ref guard = first; guard; guard = g->next[guard]) {
+        const Ref value = ir_arg(ir, guard, 1);
+        if (!paid || g->own[value] < g->uses[value])
+            ir->nodes[guard].payload = MOOT;
     }
     while (g->met_count)
         g->own[g->met[--g->met_count]] = 0;
-    return cost >= WORTH_A_BRANCH;
 }
 
 static Ref settle(Ir *ir, Ref ref, const void *user)
@@ -66,15 +91,22 @@ bool opt_guard(Ir *ir)
 {
     if (!has_guard(ir))
         return false;
-    Guards g = {.uses = opt_uses(ir, &ir->scratch).uses, .own = ARENA_ARRAY(&ir->scratch, uint32_t, ir->count)};
+    Guards g = {.uses = opt_uses(ir, &ir->scratch).uses,
+                .first = ARENA_ARRAY(&ir->scratch, Ref, ir->count),
+                .next = ARENA_ARRAY(&ir->scratch, Ref, ir->count),
+                .own = ARENA_ARRAY(&ir->scratch, uint32_t, ir->count)};
     bool any = false;
     for (Ref ref = 1; ref < ir->count; ref++) {
         if (!g.uses[ref] || !build_is_guard(ir, ref))
             continue;
+        Ref *first = &g.first[ir_arg(ir, ref, 0)];
         any = true;
-        if (!pays(ir, &g, ref))
-            ir->nodes[ref].payload = MOOT;
+        g.next[ref] = *first;
+        *first = ref;
     }
+    for (Ref ref = 1; any && ref < ir->count; ref++)
+        if (g.first[ref])
+            judge(ir, &g, g.first[ref]);
     if (!any)
         return false;
     ir_rehash(ir);

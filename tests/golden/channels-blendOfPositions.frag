@@ -67,28 +67,40 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
-    // blendOfPositions.yaml:11 XYZTransform
-    vec3 diffuse_xyzTransform = localPosition * 2.0;
     // blendOfPositions.yaml:12 XYZTransform
-    vec3 diffuse_xyzTransform2 = localPosition * 6.0;
+    vec3 diffuse_xyzTransform = localPosition * 6.0;
+    vec3 diffuse_xyzTransform_1 = localPositionByX * 6.0;
+    vec3 diffuse_xyzTransform_2 = localPositionByY * 6.0;
     // blendOfPositions.yaml:9 Blend
-    bool diffuse_blend_1 = localPosition.x <= 1.0;
-    bool diffuse_blend_2 = localPosition.x < -1.0;
-    float diffuse_blend_3 = (localPosition.x + 1.0) * 0.5;
-    vec3 diffuse_blend = diffuse_blend_1 ? (diffuse_blend_2 ? diffuse_xyzTransform : mix(diffuse_xyzTransform, diffuse_xyzTransform2, diffuse_blend_3)) : diffuse_xyzTransform2;
-    vec3 diffuse_xyzTransform_1 = localPositionByX * 2.0;
-    vec3 diffuse_xyzTransform2_1 = localPositionByX * 6.0;
-    float diffuse_blend_4 = 1.0 - diffuse_blend_3;
-    vec3 diffuse_blend_5 = diffuse_xyzTransform2 - diffuse_xyzTransform;
-    vec3 diffuse_blend_6 = diffuse_blend_2 ? diffuse_xyzTransform_1 : diffuse_blend_5 * (localPositionByX.x * 0.5) + (diffuse_xyzTransform2_1 * diffuse_blend_3 + diffuse_blend_4 * diffuse_xyzTransform_1);
-    vec3 diffuse_xyzTransform_2 = localPositionByY * 2.0;
-    vec3 diffuse_xyzTransform2_2 = localPositionByY * 6.0;
-    vec3 diffuse_blend_7 = diffuse_blend_2 ? diffuse_xyzTransform_2 : localPositionByY.x * 0.5 * diffuse_blend_5 + (diffuse_xyzTransform2_2 * diffuse_blend_3 + diffuse_xyzTransform_2 * diffuse_blend_4);
+    vec3 diffuse_blend;
+    vec3 diffuse_blend_1;
+    vec3 diffuse_blend_2;
+    if (localPosition.x <= 1.0) {
+        // blendOfPositions.yaml:11 XYZTransform
+        vec3 diffuse_xyzTransform2 = localPosition * 2.0;
+        vec3 diffuse_xyzTransform2_1 = localPositionByX * 2.0;
+        vec3 diffuse_xyzTransform2_2 = localPositionByY * 2.0;
+        if (localPosition.x < -1.0) {
+            diffuse_blend = diffuse_xyzTransform2;
+            diffuse_blend_1 = diffuse_xyzTransform2_1;
+            diffuse_blend_2 = diffuse_xyzTransform2_2;
+        } else {
+            float diffuse_blend_3 = (localPosition.x + 1.0) * 0.5;
+            float diffuse_blend_4 = 1.0 - diffuse_blend_3;
+            vec3 diffuse_blend_5 = diffuse_xyzTransform - diffuse_xyzTransform2;
+            diffuse_blend = mix(diffuse_xyzTransform2, diffuse_xyzTransform, diffuse_blend_3);
+            diffuse_blend_1 = diffuse_blend_5 * (localPositionByX.x * 0.5) + (diffuse_xyzTransform_1 * diffuse_blend_3 + diffuse_blend_4 * diffuse_xyzTransform2_1);
+            diffuse_blend_2 = localPositionByY.x * 0.5 * diffuse_blend_5 + (diffuse_xyzTransform_2 * diffuse_blend_3 + diffuse_xyzTransform2_2 * diffuse_blend_4);
+        }
+    } else {
+        diffuse_blend = diffuse_xyzTransform;
+        diffuse_blend_1 = diffuse_xyzTransform_1;
+        diffuse_blend_2 = diffuse_xyzTransform_2;
+    }
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // blendOfPositions.yaml:5 VolumeChecker
-    vec3 diffuse_volumeChecker_1 = max(abs((diffuse_blend_1 ? diffuse_blend_7 : diffuse_xyzTransform2_2) * 0.5), abs((diffuse_blend_1 ? diffuse_blend_6 : diffuse_xyzTransform2_1) * 0.5));
-    vec3 diffuse_volumeChecker_2 = stripes3(fract(diffuse_blend * 0.5), diffuse_volumeChecker_1);
-    vec3 diffuse_volumeChecker = mix(vec3(0.027320892, 0.10946171, 0.07818742), vec3(0.838799, 0.7605245, 0.59720176), 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5);
+    vec3 diffuse_volumeChecker_1 = stripes3(fract(diffuse_blend * 0.5), max(abs(diffuse_blend_2 * 0.5), abs(diffuse_blend_1 * 0.5)));
+    vec3 diffuse_volumeChecker = mix(vec3(0.027320892, 0.10946171, 0.07818742), vec3(0.838799, 0.7605245, 0.59720176), 0.5 - diffuse_volumeChecker_1.z * (diffuse_volumeChecker_1.y * diffuse_volumeChecker_1.x) * 0.5);
     uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

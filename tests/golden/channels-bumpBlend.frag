@@ -23,16 +23,6 @@ vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
     return texture(s, uv + 0.5 / size);
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
-uint rootBits(float v, int bits) {
-    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
-}
-
 // Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
 vec4 texel(sampler2D s, vec2 i, vec2 size) {
     return texelFetch(s, ivec2(i), 0);
@@ -87,6 +77,16 @@ vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 u
     return shown;
 }
 
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -133,22 +133,28 @@ void main() {
     vec2 tiles = pictureSize(imageTexture0);
     vec4 tiles_2 = imageSampled(imageTexture0, tiles_uvTransform, tiles);
     // bumpBlend.yaml:4 BumpMap
-    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // bumpBlend.yaml:7 Blend
-    bool blend = localPosition.x <= 1.0;
-    bool blend_2 = localPosition.x < -1.0;
-    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
+    float bumpMap_1;
+    float bumpMap_2;
+    if (localPosition.x < -1.0) {
+        bumpMap_1 = 0.0;
+        bumpMap_2 = 0.0;
+    } else {
+        // bumpBlend.yaml:7 Blend
+        bool blend = localPosition.x <= 1.0;
+        float blend_2 = (localPosition.x + 1.0) * 0.5;
+        vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);
+        vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), tiles_3);
+        float bumpMap_3 = tiles_4.x * 6.0;
+        float bumpMap_4 = tiles_2.x - 0.3;
+        float bumpMap_5 = tiles_4.y * 3.0;
+        bumpMap_1 = blend ? bumpMap_4 * (localTangentU.x * 0.5) + bumpMap_3 * blend_2 : bumpMap_3;
+        bumpMap_2 = blend ? bumpMap_4 * (localTangentV.x * 0.5) + bumpMap_5 * blend_2 : bumpMap_5;
+    }
+    vec3 bumpMap_6 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_7 = cross(worldTangentU, worldTangentV);
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
-    float blend_3 = (localPosition.x + 1.0) * 0.5;
-    vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);
-    vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), tiles_3);
-    float bumpMap_3 = tiles_4.x * 6.0;
-    float bumpMap_4 = tiles_2.x - 0.3;
-    float bumpMap_5 = tiles_4.y * 3.0;
-    float bumpMap_6 = (blend_2 ? 0.0 : blend ? bumpMap_4 * (localTangentU.x * 0.5) + bumpMap_3 * blend_3 : bumpMap_3) * 0.08;
-    float bumpMap_7 = (blend_2 ? 0.0 : blend ? bumpMap_4 * (localTangentV.x * 0.5) + bumpMap_5 * blend_3 : bumpMap_5) * 0.08;
-    vec3 bumpMap_8 = cross(bumpMap_1, bumpMap_6 * worldTangentV - bumpMap_7 * worldTangentU) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_8 : bumpMap_8;
+    vec3 bumpMap_8 = cross(bumpMap_6, bumpMap_1 * 0.08 * worldTangentV - bumpMap_2 * 0.08 * worldTangentU) + bumpMap_7;
+    vec3 bumpMap = dot(bumpMap_7, bumpMap_6) < 0.0 ? -bumpMap_8 : bumpMap_8;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

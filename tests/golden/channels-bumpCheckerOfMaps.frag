@@ -67,26 +67,34 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // bumpCheckerOfMaps.yaml:5 BumpMap
-    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // bumpCheckerOfMaps.yaml:9 Carpenter
     float carpenter_map = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    vec2 carpenter_map_1 = floor(uv);
-    vec2 carpenter_map_2 = uv - (carpenter_map_1 - clamp(carpenter_map_1, vec2(-2.0), vec2(1.0)));
     // bumpCheckerOfMaps.yaml:8 Checker
     vec2 checker = fract(uv * vec2(4.0, 2.0));
     bool checker_2 = (0.5 <= checker.x) != (0.5 <= checker.y);
-    vec2 checker_3 = fract(checker + vec2(0.05, 0.0));
-    float checker_4 = checker_2 ? 1.0 : 0.0;
-    vec2 checker_5 = fract(checker + vec2(0.0, 0.05));
-    float checker_6 = carpenter_map - 0.4;
-    float checker_7 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 80.0 * checker_6;
-    float checker_8 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 40.0 * checker_6;
-    float bumpMap_3 = (checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0 : 0.0)) * 0.04;
-    float bumpMap_4 = (checker_8 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0 : 0.0)) * 0.04;
-    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 * worldTangentV - bumpMap_4 * worldTangentU) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
+    float checker_3;
+    float checker_4;
+    if (checker_2) {
+        vec2 carpenter_map_1 = floor(uv);
+        vec2 carpenter_map_2 = uv - (carpenter_map_1 - clamp(carpenter_map_1, vec2(-2.0), vec2(1.0)));
+        checker_3 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0;
+        checker_4 = (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0;
+    } else {
+        checker_3 = 0.0;
+        checker_4 = 0.0;
+    }
+    // bumpCheckerOfMaps.yaml:5 BumpMap
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
+    vec2 checker_5 = fract(checker + vec2(0.05, 0.0));
+    float checker_6 = checker_2 ? 1.0 : 0.0;
+    vec2 checker_7 = fract(checker + vec2(0.0, 0.05));
+    float checker_8 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_6) * 20.0 * 4.0;
+    float checker_9 = (((0.5 <= checker_7.x) != (0.5 <= checker_7.y) ? 1.0 : 0.0) - checker_6) * 20.0 * 2.0;
+    float checker_10 = carpenter_map - 0.4;
+    vec3 bumpMap_3 = (checker_10 * checker_8 + checker_3) * 0.04 * worldTangentV - (checker_10 * checker_9 + checker_4) * 0.04 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2353489815u, 903908492u);
 }

@@ -232,51 +232,39 @@ void main() {
     vec3 diffuse_triplanar_1 = pow(max(abs(safeNormalize(cross(localTangentU, localTangentV))), vec3(1e-37)), vec3(4.0));
     vec3 diffuse_triplanar_2 = max(diffuse_triplanar_1 / dot(diffuse_triplanar_1, vec3(1.0)) - vec3(0.015625), vec3(0.0));
     vec3 diffuse_triplanar_3 = diffuse_triplanar_2 / dot(diffuse_triplanar_2, vec3(1.0));
-    bool diffuse_triplanar_4 = 0.0 < diffuse_triplanar_3.x;
-    bool diffuse_triplanar_5 = 0.0 < diffuse_triplanar_3.y;
-    bool diffuse_triplanar_6 = 0.0 < diffuse_triplanar_3.z;
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // triplanar_costly.yaml:5 Expression
     float diffuse_expression;
-    if (diffuse_triplanar_4) {
+    // triplanar_costly.yaml:7 Expression
+    float shininess_expression;
+    if (0.0 < diffuse_triplanar_3.x) {
         diffuse_expression = cells3(vec3(localPosition.yz * 6.0, 0.0), vec3(0.0), 1.0, 0, 2) * 0.15 + 0.4;
+        shininess_expression = turbulence(vec3(localPosition.yz * 2.0, 0.0), 4, 2.0, 0.5) * 0.1 + 0.5;
     } else {
         diffuse_expression = 0.0;
+        shininess_expression = 0.0;
     }
     // triplanar_costly.yaml:6 Expression
     float diffuse_expression2;
-    if (diffuse_triplanar_5) {
-        diffuse_expression2 = turbulence(vec3(localPosition.xz * 3.0, 0.5), 5, 2.0, 0.5) * 0.15 + 0.5;
-    } else {
-        diffuse_expression2 = 0.0;
-    }
-    float diffuse_expression2_1;
-    if (diffuse_triplanar_6) {
-        diffuse_expression2_1 = turbulence(vec3(localPosition.xy * 3.0, 0.5), 5, 2.0, 0.5) * 0.15 + 0.5;
-    } else {
-        diffuse_expression2_1 = 0.0;
-    }
-    float diffuse_triplanar = diffuse_expression2_1 * diffuse_triplanar_3.z + (diffuse_expression2 * diffuse_triplanar_3.y + diffuse_expression * diffuse_triplanar_3.x);
-    uint diffuse_bits = rootBits(diffuse_triplanar, 8);
-    // triplanar_costly.yaml:7 Expression
-    float shininess_expression;
-    if (diffuse_triplanar_4) {
-        shininess_expression = turbulence(vec3(localPosition.yz * 2.0, 0.0), 4, 2.0, 0.5) * 0.1 + 0.5;
-    } else {
-        shininess_expression = 0.0;
-    }
     float shininess_expression_1;
-    if (diffuse_triplanar_5) {
+    if (0.0 < diffuse_triplanar_3.y) {
+        diffuse_expression2 = turbulence(vec3(localPosition.xz * 3.0, 0.5), 5, 2.0, 0.5) * 0.15 + 0.5;
         shininess_expression_1 = turbulence(vec3(localPosition.xz * 2.0, 0.0), 4, 2.0, 0.5) * 0.1 + 0.5;
     } else {
+        diffuse_expression2 = 0.0;
         shininess_expression_1 = 0.0;
     }
+    float diffuse_expression2_1;
     float shininess_expression_2;
-    if (diffuse_triplanar_6) {
+    if (0.0 < diffuse_triplanar_3.z) {
+        diffuse_expression2_1 = turbulence(vec3(localPosition.xy * 3.0, 0.5), 5, 2.0, 0.5) * 0.15 + 0.5;
         shininess_expression_2 = turbulence(vec3(localPosition.xy * 2.0, 0.0), 4, 2.0, 0.5) * 0.1 + 0.5;
     } else {
+        diffuse_expression2_1 = 0.0;
         shininess_expression_2 = 0.0;
     }
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    float diffuse_triplanar = diffuse_expression2_1 * diffuse_triplanar_3.z + (diffuse_expression2 * diffuse_triplanar_3.y + diffuse_expression * diffuse_triplanar_3.x);
+    uint diffuse_bits = rootBits(diffuse_triplanar, 8);
     // triplanar_costly.yaml:7 Triplanar
     float shininess_triplanar = shininess_expression_2 * diffuse_triplanar_3.z + (shininess_expression_1 * diffuse_triplanar_3.y + shininess_expression * diffuse_triplanar_3.x);
     uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, logarithmBits(phongExponent(shininess_triplanar), 10) << 21);

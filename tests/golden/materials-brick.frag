@@ -278,96 +278,100 @@ void main() {
     vec3 localPositionByY = dFdy(localPosition);
     // brick.yaml:4 wall
     vec3 wall = localPosition * vec3(2.5, 2.5, 6.0);
-    // brick.yaml:13 up
-    float up = fract(wall.z) * 2.0 - 1.0;
     vec3 wall_1 = localPositionByX * vec3(2.5, 2.5, 6.0);
     // brick.yaml:8 bond
     vec3 bond = wall_1 * vec3(0.0, 0.0, 1.0) * 0.5;
     vec3 wall_2 = localPositionByY * vec3(2.5, 2.5, 6.0);
     vec3 bond_2 = wall_2 * vec3(0.0, 0.0, 1.0) * 0.5;
     vec3 bond_3 = fract(wall * vec3(0.0, 0.0, 1.0) * 0.5);
+    // brick.yaml:25 sand
+    vec4 sand = turbulenceGradient(localPosition * 22.0, vec3(0.0), 3, 2.0, 0.7, 0.0);
+    vec3 bond_4 = max(abs(bond_2), abs(bond));
+    vec3 bond_5 = stripes3(bond_3, bond_4);
+    float bond_6 = bond_5.y * bond_5.x;
+    float bond_7 = 0.5 - bond_5.z * bond_6 * 0.5;
+    float bond_8 = 1.0 - bond_7;
+    float bond_9 = stripesRate3(bond_3, bond_4).z;
+    // brick.yaml:12 along
+    float along_1 = wall.x + 0.5;
+    float along_2 = mix(along_1, wall.x, bond_7);
+    float along_3 = wall.x - along_1;
+    float along_4 = along_3 * -(bond.z * bond_9 * bond_6 * 0.5) + (wall_1.x * bond_8 + wall_1.x * bond_7);
+    float along_5 = along_3 * -(bond_2.z * bond_9 * bond_6 * 0.5) + (wall_2.x * bond_8 + wall_2.x * bond_7);
+    float along_6 = sqrt(along_5 * along_5 + along_4 * along_4);
+    float along = rampMean(along_2, along_6);
+    // brick.yaml:13 up
+    float up = fract(wall.z) * 2.0 - 1.0;
+    // brick.yaml:42 Blend
+    float blend;
+    float blend_2;
+    if (up < -0.86) {
+        blend = 0.0;
+        blend_2 = 0.0;
+    } else {
+        vec3 wall_3 = localTangentU * vec3(2.5, 2.5, 6.0);
+        vec3 wall_4 = localTangentV * vec3(2.5, 2.5, 6.0);
+        // brick.yaml:44 side
+        float side;
+        float side_1;
+        float side_2;
+        if (along < -0.94) {
+            side = 0.0;
+            side_1 = 0.0;
+            side_2 = 0.0;
+        } else {
+            vec3 bond_10 = stripes3(fract(bond_3 + vec3(0.0, 0.0, 0.05)), bond_4);
+            float bond_11 = (0.5 - bond_10.z * (bond_10.y * bond_10.x) * 0.5 - bond_7) * 20.0;
+            // brick.yaml:36 face
+            float face = mix(0.9, 1.1, clamp((sand.w + 1.0) * 0.5, 0.0, 1.0));
+            float side_3 = -face;
+            float face_1 = step(sand.w, 1.0) * step(-1.0, sand.w) * 0.1;
+            float face_2 = face_1 * dot(sand.xyz, localTangentU * 22.0);
+            float face_3 = face_1 * dot(sand.xyz, localTangentV * 22.0);
+            bool side_4 = along <= 0.94;
+            float side_5 = (along - 0.86) * 12.5;
+            bool side_6 = along < 0.86;
+            float side_7 = (along + 0.86) * 0.5813953;
+            bool side_8 = along < -0.86;
+            float side_9 = (along + 0.94) * 12.5;
+            float along_7 = rampRate(along_2, along_6);
+            float side_10 = 1.0 - side_7;
+            float side_11 = 1.0 - side_5;
+            float along_8 = along_3 * (wall_3.z * 0.5 * bond_11) + (wall_3.x * bond_8 + wall_3.x * bond_7);
+            float side_12 = along_8 * along_7 * 12.5;
+            float along_9 = along_3 * (wall_4.z * 0.5 * bond_11) + (wall_4.x * bond_8 + wall_4.x * bond_7);
+            float side_13 = along_9 * along_7 * 12.5;
+            float side_14 = side_6 ? side_7 * face_2 + side_10 * face_2 : side_4 ? side_12 * side_3 + side_11 * face_2 : 0.0;
+            float side_15 = side_6 ? side_7 * face_3 + side_10 * face_3 : side_4 ? side_13 * side_3 + side_11 * face_3 : 0.0;
+            side = side_8 ? side_9 * face : side_6 ? face : side_4 ? mix(face, 0.0, side_5) : 0.0;
+            side_1 = side_8 ? side_12 * face + side_9 * face_2 : side_14;
+            side_2 = side_8 ? side_13 * face + side_9 * face_3 : side_15;
+        }
+        bool blend_3 = up <= 0.86;
+        bool blend_4 = up < 0.7;
+        float blend_5 = (up + 0.7) * 0.71428573;
+        bool blend_6 = up < -0.7;
+        float blend_7 = (up + 0.86) * 6.25;
+        float blend_8 = wall_3.z * 2.0 * 6.25;
+        float blend_9 = 1.0 - blend_5;
+        float blend_10 = 1.0 - (up - 0.7) * 6.25;
+        float blend_11 = wall_4.z * 2.0 * 6.25;
+        float blend_12 = -side;
+        float blend_13 = blend_4 ? side_1 * blend_5 + side_1 * blend_9 : blend_3 ? side_1 * blend_10 + blend_12 * blend_8 : 0.0;
+        float blend_14 = blend_4 ? side_2 * blend_5 + side_2 * blend_9 : blend_3 ? side_2 * blend_10 + blend_12 * blend_11 : 0.0;
+        blend = blend_6 ? side_1 * blend_7 + side * blend_8 : blend_13;
+        blend_2 = blend_6 ? side_2 * blend_7 + side * blend_11 : blend_14;
+    }
     // brick.yaml:50 Blend
     float diffuse_blend_1 = clamp((up + 0.83) * 14.285714, 0.0, 1.0);
     float diffuse_blend_2 = clamp((up + 0.76) * 0.65789473, 0.0, 1.0);
     float diffuse_blend_3 = clamp((up - 0.76) * 14.285714, 0.0, 1.0);
     // brick.yaml:39 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // brick.yaml:25 sand
-    vec4 sand = turbulenceGradient(localPosition * 22.0, vec3(0.0), 3, 2.0, 0.7, 0.0);
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
-    vec3 bond_4 = max(abs(bond_2), abs(bond));
-    vec3 bond_5 = stripes3(bond_3, bond_4);
-    float bond_6 = bond_5.y * bond_5.x;
-    float bond_7 = 0.5 - bond_5.z * bond_6 * 0.5;
-    float bond_8 = 1.0 - bond_7;
-    vec3 bond_9 = stripes3(fract(bond_3 + vec3(0.0, 0.0, 0.05)), bond_4);
-    float bond_10 = (0.5 - bond_9.z * (bond_9.y * bond_9.x) * 0.5 - bond_7) * 20.0;
     // brick.yaml:27 mortar
     vec3 mortar = mix(vec3(0.2746773, 0.24620132, 0.20155625), vec3(0.48514995, 0.43965718, 0.3662526), clamp(sand.w + 0.5, 0.0, 1.0));
-    // brick.yaml:36 face
-    float face = mix(0.9, 1.1, clamp((sand.w + 1.0) * 0.5, 0.0, 1.0));
-    // brick.yaml:44 side
-    float side_1 = -face;
-    // brick.yaml:42 Blend
-    bool blend = up <= 0.86;
-    bool blend_2 = up < 0.7;
-    float blend_3 = (up + 0.7) * 0.71428573;
-    bool blend_4 = up < -0.7;
-    float blend_5 = (up + 0.86) * 6.25;
-    bool blend_6 = up < -0.86;
-    float blend_7 = 1.0 - blend_3;
-    float blend_8 = 1.0 - (up - 0.7) * 6.25;
-    float bond_11 = stripesRate3(bond_3, bond_4).z;
-    float face_1 = step(sand.w, 1.0) * step(-1.0, sand.w) * 0.1;
-    // brick.yaml:12 along
-    float along_1 = wall.x + 0.5;
-    float along_2 = mix(along_1, wall.x, bond_7);
-    float along_3 = wall.x - along_1;
-    float along_4 = along_3 * -(bond.z * bond_11 * bond_6 * 0.5) + (wall_1.x * bond_8 + wall_1.x * bond_7);
-    float along_5 = along_3 * -(bond_2.z * bond_11 * bond_6 * 0.5) + (wall_2.x * bond_8 + wall_2.x * bond_7);
-    float along_6 = sqrt(along_5 * along_5 + along_4 * along_4);
-    float along = rampMean(along_2, along_6);
-    bool side_2 = along <= 0.94;
-    float side_3 = (along - 0.86) * 12.5;
-    bool side_4 = along < 0.86;
-    float side_5 = (along + 0.86) * 0.5813953;
-    bool side_6 = along < -0.86;
-    float side_7 = (along + 0.94) * 12.5;
-    bool side_8 = along < -0.94;
-    float along_7 = rampRate(along_2, along_6);
-    float side_9 = 1.0 - side_5;
-    float side_10 = 1.0 - side_3;
-    float side = side_8 ? 0.0 : side_6 ? side_7 * face : side_4 ? face : side_2 ? mix(face, 0.0, side_3) : 0.0;
-    float blend_9 = -side;
-    float blend_10;
-    if (blend_6) {
-        blend_10 = 0.0;
-    } else {
-        vec3 wall_3 = localTangentU * vec3(2.5, 2.5, 6.0);
-        float face_2 = face_1 * dot(sand.xyz, localTangentU * 22.0);
-        float blend_11 = wall_3.z * 12.5;
-        float along_8 = along_3 * (wall_3.z * 0.5 * bond_10) + (wall_3.x * bond_8 + wall_3.x * bond_7);
-        float side_11 = along_8 * along_7 * 12.5;
-        float side_12 = side_4 ? side_5 * face_2 + side_9 * face_2 : side_2 ? side_11 * side_1 + side_10 * face_2 : 0.0;
-        float side_13 = side_8 ? 0.0 : side_6 ? side_11 * face + side_7 * face_2 : side_12;
-        float blend_12 = blend_2 ? side_13 * blend_3 + side_13 * blend_7 : blend ? side_13 * blend_8 + blend_9 * blend_11 : 0.0;
-        blend_10 = blend_4 ? side_13 * blend_5 + side * blend_11 : blend_12;
-    }
-    float blend_13;
-    if (blend_6) {
-        blend_13 = 0.0;
-    } else {
-        vec3 wall_4 = localTangentV * vec3(2.5, 2.5, 6.0);
-        float face_3 = face_1 * dot(sand.xyz, localTangentV * 22.0);
-        float blend_14 = wall_4.z * 12.5;
-        float along_9 = along_3 * (wall_4.z * 0.5 * bond_10) + (wall_4.x * bond_8 + wall_4.x * bond_7);
-        float side_14 = along_9 * along_7 * 12.5;
-        float side_15 = side_4 ? side_5 * face_3 + side_9 * face_3 : side_2 ? side_14 * side_1 + side_10 * face_3 : 0.0;
-        float side_16 = side_8 ? 0.0 : side_6 ? side_14 * face + side_7 * face_3 : side_15;
-        float blend_15 = blend_2 ? side_16 * blend_3 + side_16 * blend_7 : blend ? side_16 * blend_8 + blend_9 * blend_14 : 0.0;
-        blend_13 = blend_4 ? side_16 * blend_5 + side * blend_14 : blend_15;
-    }
-    vec3 bumpMap_3 = cross(bumpMap_1, blend_10 * 0.04 * worldTangentV - blend_13 * 0.04 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap_3 = cross(bumpMap_1, blend * 0.04 * worldTangentV - blend_2 * 0.04 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // brick.yaml:55 lengths
@@ -378,12 +382,16 @@ void main() {
         if (-0.93 < along && along < 0.93) {
             // brick.yaml:23 Gradient
             float brick_gradient = floor(wall.z * 0.5 + 0.5);
+            // brick.yaml:22 XYZTransform
+            vec3 brick_xyzTransform = vec3(brick_gradient) * vec3(4.3, 1.1, 2.9);
             // brick.yaml:34 VolumeTurbulence
             float clay_volumeTurbulence = turbulence(localPosition * 5.0, 11, 2.0, 0.5);
             // brick.yaml:20 Gradient
             float brick_gradient2 = floor(along_2 * 0.5 + 0.5);
+            // brick.yaml:19 XYZTransform
+            vec3 brick_xyzTransform2 = vec3(brick_gradient2) * vec3(1.7, 3.1, 5.3);
             // brick.yaml:16 brick
-            vec3 brick = vec3(brick_gradient2) * vec3(0.85, 1.55, 2.65) + vec3(brick_gradient) * vec3(2.15, 0.55, 1.45);
+            vec3 brick = brick_xyzTransform2 * 0.5 + brick_xyzTransform * 0.5;
             float clay_1 = turbulence(brick, 1, 2.0, 1.0) * 0.6 + clay_volumeTurbulence * 0.4;
             clay = mix(mix(vec3(0.15292615, 0.024157632, 0.011612245), vec3(0.3231432, 0.05612849, 0.02518686), clamp((clay_1 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.50888133, 0.15592647, 0.064803265), clamp(clay_1 * 2.0, 0.0, 1.0));
         } else {

@@ -6,6 +6,73 @@ in vec3 localPosition;
 in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
+// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
+uvec4 latticeFinal(uvec4 h) {
+    h = (h ^ (h >> 16u)) * 0x7FEB352Du;
+    h = (h ^ (h >> 15u)) * 0x846CA68Bu;
+    return h ^ (h >> 16u);
+}
+
+// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
+// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
+    const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
+    uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
+    uvec3 c0 = c * factor;
+    uvec3 c1 = ((c + 1u) & 65535u) * factor;
+    uvec4 square = uvec4(c0.x, c1.x, c0.x, c1.x) ^ uvec4(c0.yy, c1.yy);
+    low = latticeFinal(square ^ (c0.z + 0x165667B1u));
+    high = latticeFinal(square ^ (c1.z + 0x165667B1u));
+}
+
+// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
+float latticeMix(vec4 low, vec4 high, vec3 d) {
+    vec3 s = d * d * (3.0 - 2.0 * d);
+    vec4 plane = mix(low, high, s.z);
+    vec2 line = mix(plane.xy, plane.zw, s.y);
+    return mix(line.x, line.y, s.x);
+}
+
+// A hash read as a signed number is this much of 1.
+const float latticeScale = 1.0 / 2147483648.0;
+
+// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
+// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
+vec4 latticeTerms(uvec4 hash, vec3 d) {
+    vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
+    vec4 dy = vec4(d.yy, d.yy - 1.0);
+    return 0.5 * vec4(ivec4(hash)) + vec4(ivec4(hash << 7u)) * dx + vec4(ivec4(hash << 14u)) * dy
+         + vec4(ivec4(hash << 21u)) * d.z;
+}
+
+// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
+// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+float lattice(vec3 cell, vec3 d) {
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+}
+
+// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+float noise(vec3 p) {
+    vec3 cell = floor(p);
+    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
+}
+
+// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
+// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
+float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 1.0;
+    float sum = 0.0;
+    for (int k = 0; k < count; k++) {
+        sum += strength * noise(p);
+        strength *= noiseRatio;
+        p *= frequencyRatio;
+    }
+    return sum;
+}
+
 // p + rest as a whole square, less whole periods of 2^25, and a place in it in [0, 1). Exact.
 void cellsCell2(vec2 p, vec2 rest, out vec2 cell, out vec2 d) {
     cell = floor(p);
@@ -90,73 +157,6 @@ float cells2(vec2 p, vec2 rest, float jitter, int metric, int value) {
     return value == 0 ? nearest : value == 1 ? next : next - nearest;
 }
 
-// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
-uvec4 latticeFinal(uvec4 h) {
-    h = (h ^ (h >> 16u)) * 0x7FEB352Du;
-    h = (h ^ (h >> 15u)) * 0x846CA68Bu;
-    return h ^ (h >> 16u);
-}
-
-// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
-void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
-    const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
-    uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
-    uvec3 c0 = c * factor;
-    uvec3 c1 = ((c + 1u) & 65535u) * factor;
-    uvec4 square = uvec4(c0.x, c1.x, c0.x, c1.x) ^ uvec4(c0.yy, c1.yy);
-    low = latticeFinal(square ^ (c0.z + 0x165667B1u));
-    high = latticeFinal(square ^ (c1.z + 0x165667B1u));
-}
-
-// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
-float latticeMix(vec4 low, vec4 high, vec3 d) {
-    vec3 s = d * d * (3.0 - 2.0 * d);
-    vec4 plane = mix(low, high, s.z);
-    vec2 line = mix(plane.xy, plane.zw, s.y);
-    return mix(line.x, line.y, s.x);
-}
-
-// A hash read as a signed number is this much of 1.
-const float latticeScale = 1.0 / 2147483648.0;
-
-// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
-// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
-vec4 latticeTerms(uvec4 hash, vec3 d) {
-    vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
-    vec4 dy = vec4(d.yy, d.yy - 1.0);
-    return 0.5 * vec4(ivec4(hash)) + vec4(ivec4(hash << 7u)) * dx + vec4(ivec4(hash << 14u)) * dy
-         + vec4(ivec4(hash << 21u)) * d.z;
-}
-
-// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
-// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
-float lattice(vec3 cell, vec3 d) {
-    uvec4 low, high;
-    latticeCorners(cell, low, high);
-    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
-}
-
-// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
-float noise(vec3 p) {
-    vec3 cell = floor(p);
-    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
-}
-
-// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
-// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
-float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
-    int count = octaves > 1 ? octaves : 1;
-    float strength = 1.0;
-    float sum = 0.0;
-    for (int k = 0; k < count; k++) {
-        sum += strength * noise(p);
-        strength *= noiseRatio;
-        p *= frequencyRatio;
-    }
-    return sum;
-}
-
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -202,26 +202,32 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // brickwork.yaml:31 UVTransform
     vec2 walls_uvTransform = (uv - vec2(0.003, 0.0)) * vec2(8.0, 4.0);
-    // brickwork.yaml:26 walls
-    float walls = cells2((walls_uvTransform - vec2(0.5, 0.0)) * vec2(1.0, 2.0), vec2(0.0), 0.0, 2, 2);
     // brickwork.yaml:39 VolumeTurbulence
-    float bricks_volumeTurbulence = turbulence(localPosition * 9.0, 3, 2.0, 0.5) * 0.5 + 0.5;
+    float course_volumeTurbulence = turbulence(localPosition * 9.0, 3, 2.0, 0.5) * 0.5 + 0.5;
     // brickwork.yaml:37 Blend
-    vec3 bricks_blend = mix(vec3(0.23074006, 0.04231141, 0.019382361), vec3(0.55201143, 0.1682694, 0.07818742), clamp(bricks_volumeTurbulence, 0.0, 1.0));
-    // brickwork.yaml:18 course
-    float course_1 = clamp((walls - 0.05) * 10.0, 0.0, 1.0);
-    // brickwork.yaml:26 walls
-    float walls2 = cells2(walls_uvTransform * vec2(1.0, 2.0), vec2(0.0), 0.0, 2, 2);
-    // brickwork.yaml:18 course
-    float course2_1 = clamp((walls2 - 0.05) * 10.0, 0.0, 1.0);
+    vec3 course_blend = mix(vec3(0.23074006, 0.04231141, 0.019382361), vec3(0.55201143, 0.1682694, 0.07818742), clamp(course_volumeTurbulence, 0.0, 1.0));
+    // brickwork.yaml:11 bricks
+    float bricks;
+    // brickwork.yaml:11 bricks
+    vec3 bricks2;
+    if (0.5 <= fract(uv.y * 4.0)) {
+        // brickwork.yaml:26 walls
+        float walls = cells2((walls_uvTransform - vec2(0.5, 0.0)) * vec2(1.0, 2.0), vec2(0.0), 0.0, 2, 2);
+        // brickwork.yaml:18 course
+        float course_1 = clamp((walls - 0.05) * 10.0, 0.0, 1.0);
+        bricks = course_1 * 0.12;
+        bricks2 = mix(vec3(0.48514995, 0.4452012, 0.3712377), course_blend, course_1);
+    } else {
+        // brickwork.yaml:26 walls
+        float walls2 = cells2(walls_uvTransform * vec2(1.0, 2.0), vec2(0.0), 0.0, 2, 2);
+        // brickwork.yaml:18 course
+        float course2_1 = clamp((walls2 - 0.05) * 10.0, 0.0, 1.0);
+        bricks = course2_1 * 0.12;
+        bricks2 = mix(vec3(0.48514995, 0.4452012, 0.3712377), course_blend, course2_1);
+    }
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // brickwork.yaml:11 bricks
-    bool bricks_1 = 0.5 <= fract(uv.y * 4.0);
-    // brickwork.yaml:11 bricks
-    float bricks2 = bricks_1 ? course_1 * 0.12 : course2_1 * 0.12;
-    uint specular_bits = rootBits(bricks2, 8);
-    vec3 bricks = bricks_1 ? mix(vec3(0.48514995, 0.4452012, 0.3712377), bricks_blend, course_1) : mix(vec3(0.48514995, 0.4452012, 0.3712377), bricks_blend, course2_1);
-    uint surface_bits = rootBits(bricks.x, 8) | rootBits(bricks.y, 8) << 8 | rootBits(bricks.z, 8) << 16;
+    uint specular_bits = rootBits(bricks, 8);
+    uint surface_bits = rootBits(bricks2.x, 8) | rootBits(bricks2.y, 8) << 8 | rootBits(bricks2.z, 8) << 16;
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 645922816u);
     fragment0 = surface_bits2;
 }

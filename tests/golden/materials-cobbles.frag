@@ -308,76 +308,71 @@ void main() {
     // cobbles.yaml:11 rows
     vec3 rows = fract(street * vec3(0.0, 0.0, 1.0) * 0.5);
     bool rows_2 = 0.5 <= rows.z;
-    // cobbles.yaml:37 BumpMap
-    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 rows_3 = fract(rows + vec3(0.0, 0.0, 0.05));
-    float along_3 = cos(along_1);
-    // cobbles.yaml:19 grain
-    vec4 grain = turbulenceGradient(localPosition * 9.0, vec3(0.0), 4, 2.0, 0.6, 0.0);
-    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
-    // cobbles.yaml:25 Blend
-    float dome_blend = mix(0.85, 1.05, clamp((grain.w + 1.0) * 0.5, 0.0, 1.0));
-    // cobbles.yaml:21 dome
-    float dome = dome_blend - 0.65;
-    float dome_2 = 1.1 - dome_blend;
-    float rows_4 = (((0.5 <= rows_3.x) != (0.5 <= rows_3.y)) != (0.5 <= rows_3.z) ? 1.0 : 0.0) - (rows_2 ? 1.0 : 0.0);
-    float rows_5 = rows_4 * 20.0;
     // cobbles.yaml:18 stone
     bool stone = along <= 1.0;
     bool stone_2 = along < 0.0;
-    float dome_blend_1 = step(grain.w, 1.0) * step(-1.0, grain.w) * 0.1;
     // cobbles.yaml:16 across
     float across_1 = street.x + 0.5;
     float across_2 = rows_2 ? street.x : across_1;
     float across_3 = across_2 * 3.1415927;
     float across_4 = sin(across_3);
     float across = across_4 * across_4;
-    float across_5 = cos(across_3);
-    float dome_3 = stone_2 ? 0.0 : stone ? across * along : across;
-    bool dome_4 = dome_3 <= 1.0;
-    bool dome_5 = dome_3 < 0.45;
-    float dome_6 = (dome_3 - 0.12) * 3.030303;
-    bool dome_7 = dome_3 < 0.12;
-    bool dome_8 = dome_3 < 0.01;
-    float dome_9 = 1.0 - (dome_3 - 0.45) * 1.8181819;
-    float across_6 = street.x - across_1;
-    float dome_10;
-    if (dome_8) {
-        dome_10 = 0.0;
+    // cobbles.yaml:19 grain
+    vec4 grain = turbulenceGradient(localPosition * 9.0, vec3(0.0), 4, 2.0, 0.6, 0.0);
+    // cobbles.yaml:21 dome
+    float dome = stone_2 ? 0.0 : stone ? across * along : across;
+    float dome_2;
+    float dome_3;
+    if (dome < 0.01) {
+        dome_2 = 0.0;
+        dome_3 = 0.0;
     } else {
-        float dome_blend_2 = dome_blend_1 * dot(grain.xyz, localTangentU * 9.0);
-        float dome_11;
+        float dome_4;
+        float dome_5;
         if (stone_2) {
-            dome_11 = 0.0;
+            dome_4 = 0.0;
+            dome_5 = 0.0;
         } else {
+            vec3 rows_3 = fract(rows + vec3(0.0, 0.0, 0.05));
+            float along_3 = cos(along_1);
+            float rows_4 = (((0.5 <= rows_3.x) != (0.5 <= rows_3.y)) != (0.5 <= rows_3.z) ? 1.0 : 0.0) - (rows_2 ? 1.0 : 0.0);
+            float rows_5 = rows_4 * 20.0;
             vec3 street_1 = (vectorTurbulenceAlong(localPosition, vec3(0.0), 2, 2.0, 0.6, 0.0, localTangentU) * vec3(0.08) + localTangentU) * vec3(3.4, 3.4, 4.0);
+            vec3 street_2 = (vectorTurbulenceAlong(localPosition, vec3(0.0), 2, 2.0, 0.6, 0.0, localTangentV) * vec3(0.08) + localTangentV) * vec3(3.4, 3.4, 4.0);
             float along_4 = street_1.z * 3.1415927 * along_3 * along_2;
+            float along_5 = street_2.z * 3.1415927 * along_3 * along_2;
+            float across_5 = cos(across_3);
+            float across_6 = street.x - across_1;
             float across_7 = (across_6 * (street_1.z * 0.5 * rows_5) + street_1.x) * 3.1415927 * across_5 * across_4;
             float across_8 = across_7 + across_7;
-            dome_11 = stone ? across * (along_4 + along_4) + across_8 * along : across_8;
-        }
-        float dome_12 = dome_5 ? dome_11 * 3.030303 * dome + dome_6 * dome_blend_2 : dome_4 ? dome_11 * 1.8181819 * dome_2 + dome_9 * dome_blend_2 : 0.0;
-        dome_10 = dome_7 ? dome_11 * 5.909091 : dome_12;
-    }
-    float dome_13;
-    if (dome_8) {
-        dome_13 = 0.0;
-    } else {
-        float dome_blend_3 = dome_blend_1 * dot(grain.xyz, localTangentV * 9.0);
-        float dome_14;
-        if (stone_2) {
-            dome_14 = 0.0;
-        } else {
-            vec3 street_2 = (vectorTurbulenceAlong(localPosition, vec3(0.0), 2, 2.0, 0.6, 0.0, localTangentV) * vec3(0.08) + localTangentV) * vec3(3.4, 3.4, 4.0);
-            float along_5 = street_2.z * 3.1415927 * along_3 * along_2;
             float across_9 = (across_6 * (street_2.z * 0.5 * rows_5) + street_2.x) * 3.1415927 * across_5 * across_4;
             float across_10 = across_9 + across_9;
-            dome_14 = stone ? across * (along_5 + along_5) + across_10 * along : across_10;
+            dome_4 = stone ? across * (along_4 + along_4) + across_8 * along : across_8;
+            dome_5 = stone ? across * (along_5 + along_5) + across_10 * along : across_10;
         }
-        float dome_15 = dome_5 ? dome_14 * 3.030303 * dome + dome_6 * dome_blend_3 : dome_4 ? dome_14 * 1.8181819 * dome_2 + dome_9 * dome_blend_3 : 0.0;
-        dome_13 = dome_7 ? dome_14 * 5.909091 : dome_15;
+        if (dome < 0.12) {
+            dome_2 = dome_4 * 9.090909 * 0.65;
+            dome_3 = dome_5 * 9.090909 * 0.65;
+        } else {
+            // cobbles.yaml:25 Blend
+            float dome_blend = mix(0.85, 1.05, clamp((grain.w + 1.0) * 0.5, 0.0, 1.0));
+            float dome_6 = dome_blend - 0.65;
+            float dome_7 = 1.1 - dome_blend;
+            float dome_blend_1 = step(grain.w, 1.0) * step(-1.0, grain.w) * 0.1;
+            float dome_blend_2 = dome_blend_1 * dot(grain.xyz, localTangentU * 9.0);
+            float dome_blend_3 = dome_blend_1 * dot(grain.xyz, localTangentV * 9.0);
+            bool dome_8 = dome <= 1.0;
+            bool dome_9 = dome < 0.45;
+            float dome_10 = (dome - 0.12) * 3.030303;
+            float dome_11 = 1.0 - (dome - 0.45) * 1.8181819;
+            dome_2 = dome_9 ? dome_4 * 3.030303 * dome_6 + dome_10 * dome_blend_2 : dome_8 ? dome_4 * 1.8181819 * dome_7 + dome_11 * dome_blend_2 : 0.0;
+            dome_3 = dome_9 ? dome_5 * 3.030303 * dome_6 + dome_10 * dome_blend_3 : dome_8 ? dome_5 * 1.8181819 * dome_7 + dome_11 * dome_blend_3 : 0.0;
+        }
     }
-    vec3 bumpMap_3 = cross(bumpMap_1, dome_10 * 0.06 * worldTangentV - dome_13 * 0.06 * worldTangentU) + bumpMap_2;
+    // cobbles.yaml:37 BumpMap
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
+    vec3 bumpMap_3 = cross(bumpMap_1, dome_2 * 0.06 * worldTangentV - dome_3 * 0.06 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // cobbles.yaml:39 Blend
@@ -399,10 +394,14 @@ void main() {
     if (0.02 < diffuse_blend_1) {
         // cobbles.yaml:33 Gradient
         float number_gradient = floor(street.z);
+        // cobbles.yaml:33 XYZTransform
+        vec3 number_xyzTransform = vec3(number_gradient) * vec3(4.3, 1.1, 2.9);
         // cobbles.yaml:32 Gradient
         float number_gradient2 = floor(across_2);
+        // cobbles.yaml:32 XYZTransform
+        vec3 number_xyzTransform2 = vec3(number_gradient2) * vec3(1.7, 3.1, 5.3);
         // cobbles.yaml:30 number
-        vec3 number = vec3(number_gradient2) * vec3(0.85, 1.55, 2.65) + vec3(number_gradient) * vec3(2.15, 0.55, 1.45);
+        vec3 number = number_xyzTransform2 * 0.5 + number_xyzTransform * 0.5;
         float diffuse_blend3_1 = turbulence(number, 1, 2.0, 1.0) * 0.65 + grain.w * 0.35;
         diffuse_blend3 = mix(mix(vec3(0.104616486, 0.10946171, 0.12477182), vec3(0.23455058, 0.23074006, 0.21223076), clamp((diffuse_blend3_1 + 0.35) * 2.857143, 0.0, 1.0)), vec3(0.39157248, 0.33716363, 0.26225066), clamp(diffuse_blend3_1 * 2.857143, 0.0, 1.0));
     } else {

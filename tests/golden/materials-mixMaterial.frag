@@ -225,28 +225,30 @@ void main() {
     float flaking = turbulence(localPosition * 2.4, 6, 2.0, 0.55);
     // mixMaterial.yaml:6 Blend
     float blend = clamp((flaking - 0.02) * 16.666666, 0.0, 1.0);
-    // mixMaterial.yaml:17 Granite
-    vec4 diffuse_granite = graniteGradient(localPosition * 3.0, vec3(0.0), 0.0);
-    vec3 specular = mix(vec3(0.5), vec3(0.0), blend);
-    float shininess_1 = mix(0.38622072, 0.75983566, blend);
-    float shininess_2 = shininess_1 * shininess_1;
-    float shininess = 2.0 / (shininess_2 * shininess_2) - 2.0;
     // mixMaterial.yaml:15 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.046665087, 0.012286488, 0.0051815165), vec3(0.2541521, 0.06847817, 0.015996294), clamp((diffuse_granite.w + 0.4) * 1.6666666, 0.0, 1.0)), vec3(0.48514995, 0.17144111, 0.04231141), clamp((diffuse_granite.w - 0.2) * 2.5, 0.0, 1.0));
-    uint surface_bits = rootBits(specular.y, 8) | rootBits(specular.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
-    vec3 diffuse = mix(vec3(0.027320892, 0.10946171, 0.26225066), diffuse_blend, blend);
-    uint surface_bits2 = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
+    vec3 diffuse_blend;
     // mixMaterial.yaml:18 BumpMap
     vec3 bumpMap;
     if (0.0 < blend) {
         vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+        // mixMaterial.yaml:17 Granite
+        vec4 diffuse_granite = graniteGradient(localPosition * 3.0, vec3(0.0), 0.0);
         vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
         vec3 bumpMap_3 = dot(diffuse_granite.xyz, localTangentU * 3.0) * 0.012 * worldTangentV - dot(diffuse_granite.xyz, localTangentV * 3.0) * 0.012 * worldTangentU;
         vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+        diffuse_blend = mix(mix(vec3(0.046665087, 0.012286488, 0.0051815165), vec3(0.2541521, 0.06847817, 0.015996294), clamp((diffuse_granite.w + 0.4) * 1.6666666, 0.0, 1.0)), vec3(0.48514995, 0.17144111, 0.04231141), clamp((diffuse_granite.w - 0.2) * 2.5, 0.0, 1.0));
         bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     } else {
+        diffuse_blend = vec3(0.0);
         bumpMap = vec3(0.0);
     }
+    vec3 specular = mix(vec3(0.5), vec3(0.0), blend);
+    float shininess_1 = mix(0.38622072, 0.75983566, blend);
+    float shininess_2 = shininess_1 * shininess_1;
+    float shininess = 2.0 / (shininess_2 * shininess_2) - 2.0;
+    uint surface_bits = rootBits(specular.y, 8) | rootBits(specular.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
+    vec3 diffuse = mix(vec3(0.027320892, 0.10946171, 0.26225066), diffuse_blend, blend);
+    uint surface_bits2 = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
     vec3 normal = safeNormalize(eyeFromWorld(mix(safeNormalize(worldNormal), safeNormalize(bumpMap), blend))) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits2 | rootBits(specular.x, 8) << 24, surface_bits);
     fragment0 = surface_bits3;

@@ -140,18 +140,6 @@ vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, fl
     return sum;
 }
 
-// Mean of 2 fract(v) - 1 over a box. Below an edge of 1/2 from the distance to the jump, which does not cancel, above from the
-// antiderivative: error 2e-7. A box of at most 1e-6 is the point.
-float rampMean(float v, float edge) {
-    float t = fract(v);
-    float distance = v - floor(v + 0.5); // fract() rounds just below a whole number
-    float near = 2.0 * distance - clamp(2.0 * distance / max(edge, 1.0e-6), -1.0, 1.0);
-    float a = fract(t - 0.5 * edge);
-    float b = fract(t + 0.5 * edge);
-    float far = (b * (b - 1.0) - a * (a - 1.0)) / max(edge, 0.25);
-    return edge <= 1.0e-6 ? 2.0 * t - 1.0 : edge < 0.5 ? near : far;
-}
-
 // Mean over boxes below 1/2 of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. From the distance to the
 // nearest edge, which does not cancel: error 1e-7 at any width. A box of at most 1e-6 is the point, which at an edge belongs to the
 // upper side.
@@ -169,16 +157,6 @@ vec3 stripes3(vec3 q, vec3 edges) {
     return mix(stripesNear3(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
 }
 
-// Derivative of rampMean by v: 2, and below an edge of 1/2 the jump over the edge if the box holds it; above the difference of the
-// wave at the box's ends over its edge. A box of at most 1e-6 is the point. Error 2.4e-7 to max(1, |rate|).
-float rampRate(float v, float edge) {
-    float t = fract(v);
-    float distance = abs(v - floor(v + 0.5));
-    float jump = 2.0 * distance < edge && edge > 1.0e-6 ? 2.0 / max(edge, 1.0e-6) : 0.0;
-    float far = 2.0 * (fract(t + 0.5 * edge) - fract(t - 0.5 * edge)) / max(edge, 0.25);
-    return edge < 0.5 ? 2.0 - jump : far;
-}
-
 // Derivative of stripes3 by q: the difference of the waves at a box's ends over its edge; of a box below 1/2 the edge that it holds,
 // if any. A box of at most 1e-6 is the point: 0. Relative error 1.2e-7.
 vec3 stripesRate3(vec3 q, vec3 edges) {
@@ -188,6 +166,28 @@ vec3 stripesRate3(vec3 q, vec3 edges) {
     vec3 holds = step(2.0 * min(min(q, 1.0 - q), middle), edges) * step(1.0e-6, edges);
     vec3 near = holds * (2.0 * step(0.25, middle) - 1.0);
     return mix(near, low - high, step(0.5, edges)) * 2.0 / max(edges, 1.0e-6);
+}
+
+// Mean of 2 fract(v) - 1 over a box. Below an edge of 1/2 from the distance to the jump, which does not cancel, above from the
+// antiderivative: error 2e-7. A box of at most 1e-6 is the point.
+float rampMean(float v, float edge) {
+    float t = fract(v);
+    float distance = v - floor(v + 0.5); // fract() rounds just below a whole number
+    float near = 2.0 * distance - clamp(2.0 * distance / max(edge, 1.0e-6), -1.0, 1.0);
+    float a = fract(t - 0.5 * edge);
+    float b = fract(t + 0.5 * edge);
+    float far = (b * (b - 1.0) - a * (a - 1.0)) / max(edge, 0.25);
+    return edge <= 1.0e-6 ? 2.0 * t - 1.0 : edge < 0.5 ? near : far;
+}
+
+// Derivative of rampMean by v: 2, and below an edge of 1/2 the jump over the edge if the box holds it; above the difference of the
+// wave at the box's ends over its edge. A box of at most 1e-6 is the point. Error 2.4e-7 to max(1, |rate|).
+float rampRate(float v, float edge) {
+    float t = fract(v);
+    float distance = abs(v - floor(v + 0.5));
+    float jump = 2.0 * distance < edge && edge > 1.0e-6 ? 2.0 / max(edge, 1.0e-6) : 0.0;
+    float far = 2.0 * (fract(t + 0.5 * edge) - fract(t - 0.5 * edge)) / max(edge, 0.25);
+    return edge < 0.5 ? 2.0 - jump : far;
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -291,6 +291,88 @@ void main() {
     vec3 bond_3 = fract(wall * vec3(0.0, 0.0, 1.0) * 0.5);
     // displaced.yaml:33 sand
     vec4 sand = turbulenceGradient(localPosition * 22.0, vec3(0.0), 3, 2.0, 0.7, 0.0);
+    vec3 bond_4 = max(abs(bond_2), abs(bond));
+    vec3 bond_5 = stripes3(bond_3, bond_4);
+    float bond_6 = bond_5.y * bond_5.x;
+    float bond_7 = 0.5 - bond_5.z * bond_6 * 0.5;
+    float bond_8 = 1.0 - bond_7;
+    float bond_9 = stripesRate3(bond_3, bond_4).z;
+    // displaced.yaml:20 along
+    float along_1 = wall.x + 0.5;
+    float along_2 = mix(along_1, wall.x, bond_7);
+    float along_3 = wall.x - along_1;
+    float along_4 = along_3 * -(bond.z * bond_9 * bond_6 * 0.5) + (wall_1.x * bond_8 + wall_1.x * bond_7);
+    float along_5 = along_3 * -(bond_2.z * bond_9 * bond_6 * 0.5) + (wall_2.x * bond_8 + wall_2.x * bond_7);
+    float along_6 = sqrt(along_5 * along_5 + along_4 * along_4);
+    float along = rampMean(along_2, along_6);
+    // displaced.yaml:21 up
+    float up_1 = sqrt(wall_2.z * wall_2.z + wall_1.z * wall_1.z);
+    float up = rampMean(wall.z, up_1);
+    // displaced.yaml:49 Blend
+    float blend;
+    float blend_1;
+    float blend_2;
+    if (up < -0.86) {
+        blend = 0.0;
+        blend_1 = 0.0;
+        blend_2 = 0.0;
+    } else {
+        vec3 wall_3 = localTangentU * vec3(2.5, 2.5, 6.0);
+        vec3 wall_4 = localTangentV * vec3(2.5, 2.5, 6.0);
+        // displaced.yaml:51 side
+        float side;
+        float side_1;
+        float side_2;
+        if (along < -0.94) {
+            side = 0.0;
+            side_1 = 0.0;
+            side_2 = 0.0;
+        } else {
+            vec3 bond_10 = stripes3(fract(bond_3 + vec3(0.0, 0.0, 0.05)), bond_4);
+            float bond_11 = (0.5 - bond_10.z * (bond_10.y * bond_10.x) * 0.5 - bond_7) * 20.0;
+            // displaced.yaml:44 face
+            float face = mix(0.9, 1.1, clamp((sand.w + 1.0) * 0.5, 0.0, 1.0));
+            float side_3 = -face;
+            float face_1 = step(sand.w, 1.0) * step(-1.0, sand.w) * 0.1;
+            float face_2 = face_1 * dot(sand.xyz, localTangentU * 22.0);
+            float face_3 = face_1 * dot(sand.xyz, localTangentV * 22.0);
+            bool side_4 = along <= 0.94;
+            float side_5 = (along - 0.86) * 12.5;
+            bool side_6 = along < 0.86;
+            float side_7 = (along + 0.86) * 0.5813953;
+            bool side_8 = along < -0.86;
+            float side_9 = (along + 0.94) * 12.5;
+            float along_7 = rampRate(along_2, along_6);
+            float side_10 = 1.0 - side_7;
+            float side_11 = 1.0 - side_5;
+            float along_8 = along_3 * (wall_3.z * 0.5 * bond_11) + (wall_3.x * bond_8 + wall_3.x * bond_7);
+            float side_12 = along_8 * along_7 * 12.5;
+            float along_9 = along_3 * (wall_4.z * 0.5 * bond_11) + (wall_4.x * bond_8 + wall_4.x * bond_7);
+            float side_13 = along_9 * along_7 * 12.5;
+            float side_14 = side_6 ? side_7 * face_2 + side_10 * face_2 : side_4 ? side_12 * side_3 + side_11 * face_2 : 0.0;
+            float side_15 = side_6 ? side_7 * face_3 + side_10 * face_3 : side_4 ? side_13 * side_3 + side_11 * face_3 : 0.0;
+            side = side_8 ? side_9 * face : side_6 ? face : side_4 ? mix(face, 0.0, side_5) : 0.0;
+            side_1 = side_8 ? side_12 * face + side_9 * face_2 : side_14;
+            side_2 = side_8 ? side_13 * face + side_9 * face_3 : side_15;
+        }
+        bool blend_3 = up <= 0.86;
+        float blend_4 = (up - 0.7) * 6.25;
+        bool blend_5 = up < 0.7;
+        float blend_6 = (up + 0.7) * 0.71428573;
+        bool blend_7 = up < -0.7;
+        float blend_8 = (up + 0.86) * 6.25;
+        float up_2 = rampRate(wall.z, up_1);
+        float blend_9 = 1.0 - blend_6;
+        float blend_10 = 1.0 - blend_4;
+        float blend_11 = wall_3.z * up_2 * 6.25;
+        float blend_12 = wall_4.z * up_2 * 6.25;
+        float blend_13 = -side;
+        float blend_14 = blend_5 ? side_1 * blend_6 + side_1 * blend_9 : blend_3 ? side_1 * blend_10 + blend_13 * blend_11 : 0.0;
+        float blend_15 = blend_5 ? side_2 * blend_6 + side_2 * blend_9 : blend_3 ? side_2 * blend_10 + blend_13 * blend_12 : 0.0;
+        blend = blend_7 ? side * blend_8 : blend_5 ? side : blend_3 ? mix(side, 0.0, blend_4) : 0.0;
+        blend_1 = blend_7 ? side_1 * blend_8 + side * blend_11 : blend_14;
+        blend_2 = blend_7 ? side_2 * blend_8 + side * blend_12 : blend_15;
+    }
     float normal_1 = uvByY.y * uvByX.x - uvByY.x * uvByX.y;
     bool normal_2 = abs(normal_1) < 1e-30;
     float normal_3 = normal_2 ? 0.0 : 1.0 / (normal_2 ? 1.0 : normal_1);
@@ -298,92 +380,16 @@ void main() {
     float normal_5 = 1.0 / max(length(worldNormal), 1e-30);
     vec3 normal_6 = normal_5 * worldNormal;
     vec3 normal_7 = (uvByX.x * worldNormalByY - uvByY.x * worldNormalByX) * normal_3;
-    // displaced.yaml:21 up
-    float up_1 = sqrt(wall_2.z * wall_2.z + wall_1.z * wall_1.z);
-    float up = rampMean(wall.z, up_1);
-    vec3 bond_4 = max(abs(bond_2), abs(bond));
-    vec3 bond_5 = stripes3(bond_3, bond_4);
-    float bond_6 = bond_5.y * bond_5.x;
-    float bond_7 = 0.5 - bond_5.z * bond_6 * 0.5;
-    float bond_8 = 1.0 - bond_7;
     // displaced.yaml:58 Blend
     float diffuse_blend_1 = clamp((up + 0.83) * 14.285714, 0.0, 1.0);
     float diffuse_blend_2 = clamp((up + 0.76) * 0.65789473, 0.0, 1.0);
     float diffuse_blend_3 = clamp((up - 0.76) * 14.285714, 0.0, 1.0);
-    vec3 bond_9 = stripes3(fract(bond_3 + vec3(0.0, 0.0, 0.05)), bond_4);
-    float bond_10 = (0.5 - bond_9.z * (bond_9.y * bond_9.x) * 0.5 - bond_7) * 20.0;
-    // displaced.yaml:49 Blend
-    bool blend_1 = up <= 0.86;
-    float blend_2 = (up - 0.7) * 6.25;
-    bool blend_3 = up < 0.7;
-    float blend_4 = (up + 0.7) * 0.71428573;
-    bool blend_5 = up < -0.7;
-    float blend_6 = (up + 0.86) * 6.25;
-    bool blend_7 = up < -0.86;
-    float up_2 = rampRate(wall.z, up_1);
-    float blend_8 = 1.0 - blend_4;
-    float blend_9 = 1.0 - blend_2;
     // displaced.yaml:35 mortar
     vec3 mortar = mix(vec3(0.2746773, 0.24620132, 0.20155625), vec3(0.48514995, 0.43965718, 0.3662526), clamp(sand.w + 0.5, 0.0, 1.0));
-    // displaced.yaml:44 face
-    float face = mix(0.9, 1.1, clamp((sand.w + 1.0) * 0.5, 0.0, 1.0));
-    // displaced.yaml:51 side
-    float side_1 = -face;
-    float bond_11 = stripesRate3(bond_3, bond_4).z;
-    float face_1 = step(sand.w, 1.0) * step(-1.0, sand.w) * 0.1;
-    // displaced.yaml:20 along
-    float along_1 = wall.x + 0.5;
-    float along_2 = mix(along_1, wall.x, bond_7);
-    float along_3 = wall.x - along_1;
-    float along_4 = along_3 * -(bond.z * bond_11 * bond_6 * 0.5) + (wall_1.x * bond_8 + wall_1.x * bond_7);
-    float along_5 = along_3 * -(bond_2.z * bond_11 * bond_6 * 0.5) + (wall_2.x * bond_8 + wall_2.x * bond_7);
-    float along_6 = sqrt(along_5 * along_5 + along_4 * along_4);
-    float along = rampMean(along_2, along_6);
-    bool side_2 = along <= 0.94;
-    float side_3 = (along - 0.86) * 12.5;
-    bool side_4 = along < 0.86;
-    float side_5 = (along + 0.86) * 0.5813953;
-    bool side_6 = along < -0.86;
-    float side_7 = (along + 0.94) * 12.5;
-    bool side_8 = along < -0.94;
-    float along_7 = rampRate(along_2, along_6);
-    float side_9 = 1.0 - side_5;
-    float side_10 = 1.0 - side_3;
-    float side = side_8 ? 0.0 : side_6 ? side_7 * face : side_4 ? face : side_2 ? mix(face, 0.0, side_3) : 0.0;
-    float blend = blend_7 ? 0.0 : blend_5 ? side * blend_6 : blend_3 ? side : blend_1 ? mix(side, 0.0, blend_2) : 0.0;
     float normal_8 = blend * 0.04;
-    float blend_10 = -side;
     vec3 normal_9 = normal_8 * ((normal_4 - dot(normal_6, normal_4) * normal_6) * normal_5) + worldTangentU;
     vec3 normal_10 = normal_8 * ((normal_7 - dot(normal_6, normal_7) * normal_6) * normal_5) + worldTangentV;
-    float blend_11;
-    if (blend_7) {
-        blend_11 = 0.0;
-    } else {
-        vec3 wall_3 = localTangentU * vec3(2.5, 2.5, 6.0);
-        float blend_12 = wall_3.z * up_2 * 6.25;
-        float face_2 = face_1 * dot(sand.xyz, localTangentU * 22.0);
-        float along_8 = along_3 * (wall_3.z * 0.5 * bond_10) + (wall_3.x * bond_8 + wall_3.x * bond_7);
-        float side_11 = along_8 * along_7 * 12.5;
-        float side_12 = side_4 ? side_5 * face_2 + side_9 * face_2 : side_2 ? side_11 * side_1 + side_10 * face_2 : 0.0;
-        float side_13 = side_8 ? 0.0 : side_6 ? side_11 * face + side_7 * face_2 : side_12;
-        float blend_13 = blend_3 ? side_13 * blend_4 + side_13 * blend_8 : blend_1 ? side_13 * blend_9 + blend_10 * blend_12 : 0.0;
-        blend_11 = blend_5 ? side_13 * blend_6 + side * blend_12 : blend_13;
-    }
-    float blend_14;
-    if (blend_7) {
-        blend_14 = 0.0;
-    } else {
-        vec3 wall_4 = localTangentV * vec3(2.5, 2.5, 6.0);
-        float blend_15 = wall_4.z * up_2 * 6.25;
-        float face_3 = face_1 * dot(sand.xyz, localTangentV * 22.0);
-        float along_9 = along_3 * (wall_4.z * 0.5 * bond_10) + (wall_4.x * bond_8 + wall_4.x * bond_7);
-        float side_14 = along_9 * along_7 * 12.5;
-        float side_15 = side_4 ? side_5 * face_3 + side_9 * face_3 : side_2 ? side_14 * side_1 + side_10 * face_3 : 0.0;
-        float side_16 = side_8 ? 0.0 : side_6 ? side_14 * face + side_7 * face_3 : side_15;
-        float blend_16 = blend_3 ? side_16 * blend_4 + side_16 * blend_8 : blend_1 ? side_16 * blend_9 + blend_10 * blend_15 : 0.0;
-        blend_14 = blend_5 ? side_16 * blend_6 + side * blend_15 : blend_16;
-    }
-    vec3 normal_11 = cross(normal_6, blend_11 * 0.04 * normal_10 - blend_14 * 0.04 * normal_9) + cross(normal_9, normal_10);
+    vec3 normal_11 = cross(normal_6, blend_1 * 0.04 * normal_10 - blend_2 * 0.04 * normal_9) + cross(normal_9, normal_10);
     vec3 normal_12 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_6) < 0.0 ? -normal_11 : normal_11));
     vec3 normal = normal_12 * (gl_FrontFacing ? 1.0 : -1.0);
     // displaced.yaml:63 lengths
