@@ -151,6 +151,19 @@ static void a_mix_names_its_weights(void **state)
     free(text);
 }
 
+/* Cells that a slope needs give their value with it, though jitter is cut in one way for the one and in another for the other. */
+static void a_slope_of_cells_has_their_value(void **state)
+{
+    (void)state;
+    static const char document[] =
+        "material: Phong\ndiffuse: &c { map: Cells }\ninput: { map: BumpMap, displacement: *c, strength: 0.02 }\n";
+    MatcOptions options = quick();
+    char *text = compile_text(document, MATC_FRAGMENT, &options);
+    assert_int_equal(count(text, "cells3(localPosition"), 0);
+    assert_int_equal(count(text, "cells3Gradient(localPosition"), 1);
+    free(text);
+}
+
 /* What a sampler does by itself is left to it: a picture whose texels stand in the middle of their squares is read where the point is. */
 static void a_centred_picture_is_the_samplers(void **state)
 {
@@ -176,7 +189,7 @@ int main(void)
         cmocka_unit_test(a_filter_is_one_function),          cmocka_unit_test(dead_parts_are_pruned),
         cmocka_unit_test(costly_arms_are_branches),          cmocka_unit_test(mixed_sides_are_branches),
         cmocka_unit_test(mixes_of_mixes_are_asked_once),     cmocka_unit_test(inputs_are_minimal),
-        cmocka_unit_test(a_mix_names_its_weights),
+        cmocka_unit_test(a_mix_names_its_weights),           cmocka_unit_test(a_slope_of_cells_has_their_value),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
