@@ -164,6 +164,27 @@ static void a_slope_of_cells_has_their_value(void **state)
     free(text);
 }
 
+/* What an output alone needs is written where it is written, with the comment of its map; a number of one lane has no constructor. */
+static void outputs_are_one_assignment(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *text = compile_text(checker_text, MATC_FRAGMENT, &options);
+    assert_int_equal(count(text, "fragment0 = uvec4(octahedralBits("), 1);
+    assert_int_equal(count(strstr(text, "void main"), "    uvec4 "), 0);
+    free(text);
+    text = compile_text(checker_text, MATC_UNPACK, &options);
+    assert_int_equal(count(text, " = float(0.0);"), 0);
+    assert_true(count(text, "surface.fuzz = 0.0;") > 0);
+    free(text);
+    options.pass = "value";
+    text = compile_text(
+        "material: Phong\ndiffuse: { map: Granite, input: { map: XYZTransform, transform: { scale: 3 } } }\n",
+        MATC_FRAGMENT, &options);
+    assert_int_equal(count(text, "test.yaml:2 Granite"), 1);
+    free(text);
+}
+
 /* What a sampler does by itself is left to it: a picture whose texels stand in the middle of their squares is read where the point is. */
 static void a_centred_picture_is_the_samplers(void **state)
 {
@@ -189,7 +210,8 @@ int main(void)
         cmocka_unit_test(a_filter_is_one_function),          cmocka_unit_test(dead_parts_are_pruned),
         cmocka_unit_test(costly_arms_are_branches),          cmocka_unit_test(mixed_sides_are_branches),
         cmocka_unit_test(mixes_of_mixes_are_asked_once),     cmocka_unit_test(inputs_are_minimal),
-        cmocka_unit_test(a_mix_names_its_weights),           cmocka_unit_test(a_slope_of_cells_has_their_value),
+        cmocka_unit_test(outputs_are_one_assignment),        cmocka_unit_test(a_mix_names_its_weights),
+        cmocka_unit_test(a_slope_of_cells_has_their_value),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -193,6 +193,18 @@ void emit_block(Scope *e, Text *out, int block, int depth)
             put_statement(e, out, ref, depth);
 }
 
+void emit_leave(Scope *e, Ref root)
+{
+    if (e->s.uses[root] == 1 && !e->s.arm[root])
+        e->done[root] = 1;
+}
+
+void emit_left_note(Scope *e, Text *out, Ref root, int depth)
+{
+    if (!e->names[root] && needs_name(e, root, expression_size(e, root)))
+        put_comment(e, out, ir_at(e->ir, root), depth);
+}
+
 /* Marks what a root needs of what is not written yet: of a region all. */
 static uint8_t *needed_by(Scope *e, Ref root)
 {
@@ -202,7 +214,7 @@ static uint8_t *needed_by(Scope *e, Ref root)
     ARENA_PUSH(e->scratch, met, count, room, root);
     while (count) {
         Ref ref = met[--count];
-        if (needed[ref] || e->done[ref])
+        if (needed[ref] || (e->done[ref] && ref != root))
             continue;
         needed[ref] = 1;
         if (e->s.mate[ref] != ref)

@@ -50,7 +50,9 @@ static void put_kernel(Session *session, Text *out, const Ir *ir, int number)
 /* The body of a function whose scope is open. */
 static void put_result(Scope *e, Text *out, Ref result)
 {
+    emit_leave(e, result);
     emit_block(e, out, 0, 1);
+    emit_left_note(e, out, result, 1);
     text_put(out, "    return ");
     emit_expression(e, out, result, PRECEDENCE_any);
     text_put(out, ";\n}\n\n");
@@ -181,15 +183,19 @@ static void put_main(Scope *e, Text *out)
     for (int i = 0; i < ir->output_count; i++) {
         if (!ir_is_of_fragments(&ir->outputs[i]))
             continue;
+        const Ref root = ir->outputs[i].value;
+        emit_leave(e, root);
         if (count == 1) /* all that there is is needed */
             emit_block(e, &body, 0, 1);
         else
-            emit_needed(e, &body, ir->outputs[i].value, 1);
+            emit_needed(e, &body, root, 1);
+        emit_left_note(e, &body, root, 1);
         put_output(e, &body, &ir->outputs[i]);
     }
     text_put(out, "void main() {\n");
     put_changes(out, e->interface, ir->function_count > 0);
-    attribute_put_changes(out, e->interface, ir->function_count > 0 ? ATTRIBUTE_CHANGES_shared : ATTRIBUTE_CHANGES_whole);
+    attribute_put_changes(out, e->interface,
+                          ir->function_count > 0 ? ATTRIBUTE_CHANGES_shared : ATTRIBUTE_CHANGES_whole);
     text_add(out, body.at, body.size);
     text_put(out, "}\n");
 }
@@ -212,7 +218,8 @@ static Interface joined(Session *session, const Ir *ir, const Interface *a, cons
     all.instances = a->instances;
     all.members = a->members || b->members;
     for (int i = 0; i < INPUT_COUNT; i++)
-        all.inputs[i] |= b->inputs[i] && (input_table[i].source == SOURCE_draw || input_table[i].source == SOURCE_object);
+        all.inputs[i] |=
+            b->inputs[i] && (input_table[i].source == SOURCE_draw || input_table[i].source == SOURCE_object);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < ir->graph->uniform_count; i++) {
             all.uniforms[i] |= both[k]->uniforms[i];
@@ -295,8 +302,10 @@ static Interface with_move(Session *session, const Ir *ir, const Job *job, const
     Interface own, computed;
     if (!ir_output_of(ir, OUT_displacement))
         return *fragment;
-    VertexMove *move = move_new(session, ir, job, &own, 0), *compute = normal ? move_new(session, ir, job, &computed, normal->value) : move;
-    Interface all = joined(session, ir, fragment, normal ? &computed : &own); /* who computes normals computes heights */
+    VertexMove *move = move_new(session, ir, job, &own, 0),
+               *compute = normal ? move_new(session, ir, job, &computed, normal->value) : move;
+    Interface all =
+        joined(session, ir, fragment, normal ? &computed : &own); /* who computes normals computes heights */
     declare_move(session, ir, job, move, (Declared){&own, &all});
     if (normal)
         declare_move(session, ir, job, compute, (Declared){&computed, &all});

@@ -158,13 +158,14 @@ static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, co
 static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slot slot, const char *indent)
 {
     const FixedRow *own = layout_case_fixed(of, slot), *fixed = own ? own : layout_fixed(layout, slot);
-    const char *type = type_table[slot_table[slot].type].name;
-    text_format(out, "%ssurface.%s = %s(", indent, slot_table[slot].name, type);
+    const bool single = type_table[slot_table[slot].type].lanes == 1;
+    text_format(out, "%ssurface.%s = %s%s", indent, slot_table[slot].name,
+                single ? "" : type_table[slot_table[slot].type].name, single ? "" : "(");
     for (int lane = 0; lane < (fixed ? type_table[slot_table[slot].type].lanes : 1); lane++) {
         text_put(out, lane ? ", " : "");
         text_float(out, fixed ? fixed->value[lane] : slot_table[slot].absent);
     }
-    text_put(out, ");\n");
+    text_put(out, single ? ";\n" : ");\n");
 }
 
 /* In ESSL a fragment program has no precision of its own for float, and a sampler's is lowp: 8 bits of a half float. */

@@ -236,6 +236,5 @@ void main() {
     vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 * worldTangentV - bumpMap_4 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 4227858435u, sharedExponentBits(vec3(emissive_clamped), 5) | 2290089984u, surface_bits | rootBits(specular_power.y, 5) << 23 | 2359296u, surface_bits2);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858435u, sharedExponentBits(vec3(emissive_clamped), 5) | 2290089984u, surface_bits | rootBits(specular_power.y, 5) << 23 | 2359296u, surface_bits2);
 }

@@ -68,6 +68,5 @@ void main() {
     // blendMagnitudes.yaml:5 Blend
     float emissive_blend = localPosition.x < 0.0 ? (localPosition.x < -1.0 ? 1000.0 : mix(1000.0, 0.001, localPosition.x + 1.0)) : localPosition.x <= 1.0 ? mix(0.001, 0.002, localPosition.x) : 0.002;
     uint diffuse_bits = rootBits(diffuse_blend, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(vec3(emissive_blend), 7), diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(vec3(emissive_blend), 7), diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
 }

@@ -273,6 +273,5 @@ void main() {
     vec3 bumpMap2_4 = cross(bumpMap2_1, bumpMap2_3) + bumpMap2_2;
     vec3 bumpMap2 = dot(bumpMap2_2, bumpMap2_1) < 0.0 ? -bumpMap2_4 : bumpMap2_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap2)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
 }

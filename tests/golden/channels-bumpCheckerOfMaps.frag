@@ -89,10 +89,10 @@ void main() {
     vec2 checker_5 = fract(checker + vec2(0.05, 0.0));
     float checker_6 = checker_2 ? 1.0 : 0.0;
     vec2 checker_7 = fract(checker + vec2(0.0, 0.05));
-    float checker_8 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_6) * 20.0 * 4.0;
-    float checker_9 = (((0.5 <= checker_7.x) != (0.5 <= checker_7.y) ? 1.0 : 0.0) - checker_6) * 20.0 * 2.0;
-    float checker_10 = carpenter_map - 0.4;
-    vec3 bumpMap_3 = (checker_10 * checker_8 + checker_3) * 0.04 * worldTangentV - (checker_10 * checker_9 + checker_4) * 0.04 * worldTangentU;
+    float checker_8 = carpenter_map - 0.4;
+    float checker_9 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_6) * 80.0 * checker_8;
+    float checker_10 = (((0.5 <= checker_7.x) != (0.5 <= checker_7.y) ? 1.0 : 0.0) - checker_6) * 40.0 * checker_8;
+    vec3 bumpMap_3 = (checker_9 + checker_3) * 0.04 * worldTangentV - (checker_10 + checker_4) * 0.04 * worldTangentU;
     vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);

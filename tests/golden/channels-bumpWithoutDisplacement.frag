@@ -89,6 +89,5 @@ void main() {
     vec2 diffuse_checker_1 = stripes2(fract(uv * vec2(8.0, 4.0)), max(abs(uvByY * vec2(8.0, 4.0)), abs(uvByX * vec2(8.0, 4.0))));
     float diffuse_checker = mix(0.2, 0.7, 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     uint diffuse_bits = rootBits(diffuse_checker, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
 }

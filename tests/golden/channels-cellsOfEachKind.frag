@@ -322,6 +322,5 @@ void main() {
     }
     float diffuse_blend = diffuse_cells3 * diffuse_blend_1 + diffuse_cells2 * (1.0 - diffuse_blend_1);
     uint diffuse_bits = rootBits(diffuse_blend, 8);
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | (ambient_checker_2 ? 2684354560u : 1342177280u) | 67108864u, sharedExponentBits(vec3(emissive_cells), 7) | (ambient_checker_2 ? 1342177280u : 671088640u), diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, surface_bits);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | (ambient_checker_2 ? 2684354560u : 1342177280u) | 67108864u, sharedExponentBits(vec3(emissive_cells), 7) | (ambient_checker_2 ? 1342177280u : 671088640u), diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, surface_bits);
 }

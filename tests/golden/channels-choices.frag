@@ -351,6 +351,5 @@ void main() {
     uint surface_bits2 = surface_bits | rootBits(specular.x, 5) << 18 | rootBits(specular.y, 5) << 23 | rootBits(transparency.x, 4) << 28;
     uint surface_bits3 = rootBits(specular.z, 5) | rootBits(transparency.y, 4) << 5 | rootBits(transparency.z, 4) << 9;
     uint surface_bits4 = surface_bits3 | diffuseTransparency_bits << 13 | diffuseTransparency_bits << 17 | diffuseTransparency_bits << 21 | logarithmBits(phongExponent(shininess_ramp), 7) << 25;
-    uvec4 surface_bits5 = uvec4(octahedralBits(normal, 12) << 2 | 4227858435u, sharedExponentBits(vec3(emissive_chosen), 5) | 2290089984u, surface_bits2, surface_bits4);
-    fragment0 = surface_bits5;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858435u, sharedExponentBits(vec3(emissive_chosen), 5) | 2290089984u, surface_bits2, surface_bits4);
 }

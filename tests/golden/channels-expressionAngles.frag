@@ -93,6 +93,5 @@ void main() {
     // expressionAngles.yaml:4 Expression
     vec3 specular_expression_1 = vec3(atan(ambient_expression, uv.y + 1.0), waveSinh(fract(uv.x)), waveCosh(fract(uv.y)));
     vec3 specular_expression = vec3(waveTanh(localPosition.x), waveTanh(localPosition.y), waveTanh(localPosition.z)) * 0.1 + specular_expression_1 * 0.1;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | rootBits(ambient_expression_4.x, 5) << 27 | 67108864u, rootBits(ambient_expression_4.y, 5) << 26, surface_bits | rootBits(specular_expression.x, 8) << 24, rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | 647364608u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | rootBits(ambient_expression_4.x, 5) << 27 | 67108864u, rootBits(ambient_expression_4.y, 5) << 26, surface_bits | rootBits(specular_expression.x, 8) << 24, rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | 647364608u);
 }

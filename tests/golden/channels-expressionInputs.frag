@@ -91,6 +91,5 @@ void main() {
     uint specular_bits = rootBits(expression_shared * 0.5, 8);
     // expressionInputs.yaml:16 Expression
     float shininess_expression = wood(localPosition) + 0.4;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(shininess_expression), 10) << 21);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(shininess_expression), 10) << 21);
 }

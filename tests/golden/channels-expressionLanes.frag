@@ -126,6 +126,5 @@ void main() {
     uint surface_bits2 = sharedExponentBits(emissive_expression, 5) | rootBits(ambient_expression.x, 4) << 20 | rootBits(ambient_expression.y, 4) << 24;
     uint surface_bits3 = rootBits(specular_expression.y, 6) | rootBits(specular_expression.z, 6) << 6 | rootBits(transparency_expression.y, 5) << 12;
     uint surface_bits4 = surface_bits3 | rootBits(transparency_expression.z, 5) << 17 | logarithmBits(phongExponent(shininess_expression), 9) << 22;
-    uvec4 surface_bits5 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits2 | rootBits(ambient_expression.z, 4) << 28, surface_bits | rootBits(specular_expression.x, 6) << 21 | rootBits(transparency_expression.x, 5) << 27, surface_bits4);
-    fragment0 = surface_bits5;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits2 | rootBits(ambient_expression.z, 4) << 28, surface_bits | rootBits(specular_expression.x, 6) << 21 | rootBits(transparency_expression.x, 5) << 27, surface_bits4);
 }

@@ -184,6 +184,5 @@ void main() {
     vec3 specular_expression = vectorTurbulence(localPosition * 3.0, 1, 2.0, 0.5) * 0.3 + 0.5;
     uint surface_bits = diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | rootBits(specular_expression.x, 8) << 24;
     uint surface_bits2 = rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | ambient_bits << 16 | 645922816u;
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | ambient_bits << 27 | 67108864u, sharedExponentBits(vec3(emissive_expression), 7) | ambient_bits << 26, surface_bits, surface_bits2);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | ambient_bits << 27 | 67108864u, sharedExponentBits(vec3(emissive_expression), 7) | ambient_bits << 26, surface_bits, surface_bits2);
 }

@@ -116,6 +116,5 @@ void main() {
     float ambient_expression_7 = (ambient_expression_5 ? 0.6 : ambient_expression_6 ? 0.1 - ambient_expression_2 : ambient_expression_2 - 0.7) / ambient_expression_4 + (ambient_expression_5 ? 0.0 : ambient_expression_6 ? 2.0 : 4.0);
     vec3 ambient_expression = vec3(fract(ambient_expression_7 * 0.16666667), ambient_expression_4 / ambient_expression_3, ambient_expression_3) * 0.3 + mix(vec3(1.0), ambient_expression_1, 0.6) * uv.y;
     uint surface_bits2 = rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | rootBits(ambient_expression.z, 5) << 16;
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | rootBits(ambient_expression.x, 5) << 27 | 67108864u, sharedExponentBits(emissive_expression_1 + 0.03141593, 7) | rootBits(ambient_expression.y, 5) << 26, surface_bits | rootBits(specular_expression.x, 8) << 24, surface_bits2 | logarithmBits(phongExponent(shininess_expression), 10) << 21);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | rootBits(ambient_expression.x, 5) << 27 | 67108864u, sharedExponentBits(emissive_expression_1 + 0.03141593, 7) | rootBits(ambient_expression.y, 5) << 26, surface_bits | rootBits(specular_expression.x, 8) << 24, surface_bits2 | logarithmBits(phongExponent(shininess_expression), 10) << 21);
 }

@@ -137,6 +137,5 @@ void main() {
     // expressionView.yaml:6 Expression
     float emissive_expression_1 = 0.5 < min(abs(dot(safeNormalize(emissive_bumpMap), diffuse_expression_1)), 1.0) ? uv.x * 0.2 : 0.1;
     vec3 emissive_expression = vec3(emissive_expression_1) * matc_time;
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits | rootBits(specular_expression.x, 8) << 24, surface_bits2);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits | rootBits(specular_expression.x, 8) << 24, surface_bits2);
 }

@@ -131,6 +131,5 @@ void main() {
     vec4 specular_image = imageSampled(imageTexture4, around, pictureSize(imageTexture4));
     uint surface_bits3 = rootBits(specular_image.y, 6) | rootBits(specular_image.z, 6) << 6 | rootBits(transparency_image.y, 5) << 12;
     uint surface_bits4 = surface_bits3 | rootBits(transparency_image.z, 5) << 17 | logarithmBits(phongExponent(emissive_image.w), 9) << 22;
-    uvec4 surface_bits5 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits | rootBits(ambient_image_2.z, 4) << 28, surface_bits2 | rootBits(specular_image.x, 6) << 21 | rootBits(transparency_image.x, 5) << 27, surface_bits4);
-    fragment0 = surface_bits5;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits | rootBits(ambient_image_2.z, 4) << 28, surface_bits2 | rootBits(specular_image.x, 6) << 21 | rootBits(transparency_image.x, 5) << 27, surface_bits4);
 }

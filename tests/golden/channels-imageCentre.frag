@@ -178,6 +178,5 @@ void main() {
     vec3 bumpMap_3 = cross(bumpMap_1, image_4.x * 0.02 * worldTangentV - image_4.y * 0.02 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits4 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits | rootBits(ambient_image.z, 4) << 28, surface_bits2 | rootBits(specular_image.x, 6) << 21 | rootBits(transparency_image_2.x, 5) << 27, surface_bits3 | rootBits(transparency_image_2.z, 5) << 17 | 645922816u);
-    fragment0 = surface_bits4;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits | rootBits(ambient_image.z, 4) << 28, surface_bits2 | rootBits(specular_image.x, 6) << 21 | rootBits(transparency_image_2.x, 5) << 27, surface_bits3 | rootBits(transparency_image_2.z, 5) << 17 | 645922816u);
 }

@@ -77,6 +77,5 @@ uint sharedExponentBits(vec3 v, int bits) {
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint diffuse_bits = rootBits(imageSampled(imageTexture0, uv, pictureSize(imageTexture0)).z, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(imageSampled(imageTexture1, uv, pictureSize(imageTexture1)).xyz, 7), diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(imageSampled(imageTexture1, uv, pictureSize(imageTexture1)).xyz, 7), diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
 }

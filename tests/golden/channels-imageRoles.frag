@@ -165,6 +165,5 @@ void main() {
     vec3 bumpMap_3 = cross(bumpMap_1, image_2.x * 0.04 * worldTangentV - image_2.y * 0.04 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, logarithmBits(phongExponent(shininess_1), 10) << 21);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, logarithmBits(phongExponent(shininess_1), 10) << 21);
 }

@@ -92,6 +92,5 @@ void main() {
     uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;
     // imageSrgb.yaml:4 ImageMap
     vec4 specular_image = imageSampled(imageTexture2, uv, pictureSize(imageTexture2));
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(imageNearest(imageTexture1, uv, vec2(64.0)).xyz, 7), surface_bits | rootBits(specular_image.x, 8) << 24, rootBits(specular_image.y, 8) | rootBits(specular_image.z, 8) << 8 | 645922816u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(imageNearest(imageTexture1, uv, vec2(64.0)).xyz, 7), surface_bits | rootBits(specular_image.x, 8) << 24, rootBits(specular_image.y, 8) | rootBits(specular_image.z, 8) << 8 | 645922816u);
 }

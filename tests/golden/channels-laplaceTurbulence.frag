@@ -127,8 +127,7 @@ float laplace3DInput0(vec3 p) {
     // laplaceTurbulence.yaml:16 Turbulence
     vec3 diffuse_turbulence = vectorTurbulence(p, 3, 2.0, 0.5) * vec3(0.4) + p;
     // laplaceTurbulence.yaml:13 Gradient
-    float diffuse_gradient = sin(fract(dot(diffuse_turbulence, vec3(2.0, 0.5, 2.0))) * 6.2831855);
-    return diffuse_gradient;
+    return sin(fract(dot(diffuse_turbulence, vec3(2.0, 0.5, 2.0))) * 6.2831855);
 }
 
 void main() {

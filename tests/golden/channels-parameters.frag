@@ -507,6 +507,5 @@ void main() {
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits4 = octahedralBits(normal, 12) << 2 | logarithmBits(phongExponent(transparencyShininess_leopard), 5) << 27 | 67108867u;
-    uvec4 surface_bits5 = uvec4(surface_bits4, surface_bits, surface_bits2 | transparency_bits << 28, surface_bits3 | diffuseTransparency_bits << 21 | logarithmBits(shininess, 7) << 25);
-    fragment0 = surface_bits5;
+    fragment0 = uvec4(surface_bits4, surface_bits, surface_bits2 | transparency_bits << 28, surface_bits3 | diffuseTransparency_bits << 21 | logarithmBits(shininess, 7) << 25);
 }

@@ -121,6 +121,5 @@ void main() {
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uint specular_bits = rootBits(gloss, 7);
     uint surface_bits2 = specular_bits | specular_bits << 7 | logarithmBits(phongExponent(sharpness), 10) << 14 | rootBits(transparency.x, 6) << 24;
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | specular_bits << 24, surface_bits2, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | specular_bits << 24, surface_bits2, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
 }

@@ -159,6 +159,5 @@ void main() {
     vec3 emissive_blend = clamp((grain - 0.7) * 5.0, 0.0, 1.0) * vec3(0.4, 0.2, 0.1);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uint specular_bits = rootBits(grain, 8);
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_blend, 7), surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(grain), 10) << 21);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_blend, 7), surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(grain), 10) << 21);
 }

@@ -115,8 +115,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 float smooth3DInput0(vec3 p) {
     // smoothCostly.yaml:7 Granite
-    float diffuse_granite = granite(p) * 1.2;
-    return diffuse_granite;
+    return granite(p) * 1.2;
 }
 
 float smooth3DInput0Sum(vec3 p, vec3 size) {

@@ -50,8 +50,7 @@ uint octahedralBits(vec3 n, int bits) {
 vec3 smooth3DInput0(vec3 p) {
     // smoothNested.yaml:14 VolumeChecker
     vec3 diffuse_volumeChecker_1 = fract(p * 1.5);
-    vec3 diffuse_volumeChecker = ((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z) ? vec3(0.8713671, 0.7454042, 0.5271151) : vec3(0.04373503, 0.051269457, 0.14412847);
-    return diffuse_volumeChecker;
+    return ((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z) ? vec3(0.8713671, 0.7454042, 0.5271151) : vec3(0.04373503, 0.051269457, 0.14412847);
 }
 
 vec3 smooth3DInput1(vec3 p) {

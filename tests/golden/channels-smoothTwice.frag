@@ -55,8 +55,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 float smooth3DInput0(vec3 p) {
     // smoothTwice.yaml:8 Leopard
-    float diffuse_leopard = leopard(p * 3.0);
-    return diffuse_leopard;
+    return leopard(p * 3.0);
 }
 
 void main() {
@@ -78,6 +77,5 @@ void main() {
     float specular_laplace3D_2 = diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.1, 0.0)) + (diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, -0.1, 0.0)) + specular_laplace3D_1);
     float specular_laplace3D_3 = diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.0, 0.1)) + (diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.0, -0.1)) + specular_laplace3D_2);
     uint specular_bits = rootBits(specular_laplace3D_3 * 0.083333336, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, specular_bits | specular_bits << 8 | 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, specular_bits | specular_bits << 8 | 645922816u);
 }

@@ -73,6 +73,5 @@ void main() {
     vec3 diffuse_volumeChecker_1 = stripes3(fract(localPosition * 0.5), max(abs(localPositionByY * 0.5), abs(localPositionByX * 0.5)));
     float diffuse_volumeChecker = mix(localPosition.x, worldPosition.x, 0.5 - diffuse_volumeChecker_1.z * (diffuse_volumeChecker_1.y * diffuse_volumeChecker_1.x) * 0.5);
     uint diffuse_bits = rootBits(diffuse_volumeChecker, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
 }

@@ -267,6 +267,5 @@ void main() {
     uint diffuse_bits = rootBits(diffuse_triplanar, 8);
     // triplanar_costly.yaml:7 Triplanar
     float shininess_triplanar = shininess_expression_2 * diffuse_triplanar_3.z + (shininess_expression_1 * diffuse_triplanar_3.y + shininess_expression * diffuse_triplanar_3.x);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, logarithmBits(phongExponent(shininess_triplanar), 10) << 21);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, logarithmBits(phongExponent(shininess_triplanar), 10) << 21);
 }

@@ -117,6 +117,5 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // uvTransformOverTurbulence.yaml:5 Checker
     vec2 diffuse_checker = fract((vectorTurbulence(vec3(uv, 0.0), 3, 2.0, 0.5).xy * vec2(0.03) + uv) * vec2(8.0, 4.0));
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 13887473u : 5392160u, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 13887473u : 5392160u, 645922816u);
 }

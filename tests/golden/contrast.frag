@@ -78,6 +78,5 @@ void main() {
     // contrast.yaml:4 Contrast
     float diffuse_contrast = (diffuse_leopard - 0.4) * 4.0 + 0.4;
     uint diffuse_bits = rootBits(diffuse_contrast, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
 }

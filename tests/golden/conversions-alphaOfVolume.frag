@@ -76,6 +76,5 @@ void main() {
     // alphaOfVolume.yaml:3 Leopard
     float diffuse_leopard = leopardFiltered(localPosition * 8.0, max(abs(localPositionByY * 8.0), abs(localPositionByX * 8.0)));
     uint diffuse_bits = rootBits(diffuse_leopard, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
 }

@@ -53,6 +53,5 @@ void main() {
     vec3 transparency = vec3(1.0) - diffuse_blend.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
 }

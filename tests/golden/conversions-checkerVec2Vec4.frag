@@ -73,6 +73,5 @@ void main() {
     vec4 diffuse_checker = mix(vec4(0.1, 0.2, 0.6, 0.3), vec4(0.7, 0.4, 0.0, 1.0), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     vec3 transparency = vec3(1.0) - diffuse_checker.www;
     uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
 }

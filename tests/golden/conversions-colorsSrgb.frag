@@ -88,6 +88,5 @@ void main() {
     vec3 transparency = vec3(1.0) - diffuse_checker.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_checker.x, 7) | rootBits(diffuse_checker.y, 7) << 7 | rootBits(diffuse_checker.z, 7) << 14;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, sharedExponentBits(glow, 5), surface_bits | rootBits(transparency.x, 5) << 27 | 67108864u, rootBits(transparency.y, 5) << 12 | rootBits(transparency.z, 5) << 17 | 645924896u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, sharedExponentBits(glow, 5), surface_bits | rootBits(transparency.x, 5) << 27 | 67108864u, rootBits(transparency.y, 5) << 12 | rootBits(transparency.z, 5) << 17 | 645924896u);
 }

@@ -52,6 +52,5 @@ void main() {
     // floatToPosition.yaml:4 Gradient
     float specular_gradient = dot(vec3(at), vec3(0.5, 0.5, 0.25));
     uint specular_bits = rootBits(specular_gradient, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_bits << 24 | 13290186u, specular_bits | specular_bits << 8 | 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_bits << 24 | 13290186u, specular_bits | specular_bits << 8 | 645922816u);
 }

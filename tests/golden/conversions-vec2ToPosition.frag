@@ -52,6 +52,5 @@ void main() {
     // vec2ToPosition.yaml:4 Gradient
     float specular_gradient = dot(vec3(at, 0.0), vec3(0.5, 0.5, 0.25));
     uint specular_bits = rootBits(specular_gradient, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_bits << 24 | 10263708u, specular_bits | specular_bits << 8 | 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_bits << 24 | 10263708u, specular_bits | specular_bits << 8 | 645922816u);
 }

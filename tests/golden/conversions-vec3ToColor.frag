@@ -49,6 +49,5 @@ uint rootBits(float v, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, rootBits(gloss.x, 8) << 24 | 9216337u, rootBits(gloss.y, 8) | rootBits(gloss.z, 8) << 8 | 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, rootBits(gloss.x, 8) << 24 | 9216337u, rootBits(gloss.y, 8) | rootBits(gloss.z, 8) << 8 | 645922816u);
 }

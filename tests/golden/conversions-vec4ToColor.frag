@@ -49,6 +49,5 @@ uint rootBits(float v, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, 328020u, rootBits(gloss.x, 6) << 21 | 2149100857u, rootBits(gloss.y, 6) | rootBits(gloss.z, 6) << 6 | 648085504u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, 328020u, rootBits(gloss.x, 6) << 21 | 2149100857u, rootBits(gloss.y, 6) | rootBits(gloss.z, 6) << 6 | 648085504u);
 }

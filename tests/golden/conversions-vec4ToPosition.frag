@@ -50,6 +50,5 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint specular_bits = rootBits(dot(at.xyz, vec3(0.5, 0.5, 0.25)), 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_bits << 24 | 13290186u, specular_bits | specular_bits << 8 | 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_bits << 24 | 13290186u, specular_bits | specular_bits << 8 | 645922816u);
 }

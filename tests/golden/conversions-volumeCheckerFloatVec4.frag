@@ -128,6 +128,5 @@ void main() {
     }
     vec3 transparency = vec3(1.0) - diffuse_volumeChecker.www;
     uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
 }

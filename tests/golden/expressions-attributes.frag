@@ -118,6 +118,5 @@ void main() {
     vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(shininess, 10) << 21);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(shininess, 10) << 21);
 }

@@ -155,6 +155,5 @@ void main() {
     float diffuse_expression_3 = (0.5 - abs(diffuse_expression_2)) / (abs(1.0 - diffuse_expression * 2.0) * -0.5714286 + 1.0);
     uint surface_bits = rootBits(0.5 - (0.5 - diffuse_expression_3) * sign(diffuse_expression_2), 8) | rootBits(cellNoise(localPosition * 3.0, 3), 8) << 8;
     uint surface_bits2 = surface_bits | rootBits(worley(localPosition * 2.0, 1.0, 0, 3), 8) << 16 | rootBits(specular_expression.x, 8) << 24;
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits2, rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | 645922816u);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_expression, 7), surface_bits2, rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | 645922816u);
 }

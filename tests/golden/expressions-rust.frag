@@ -148,6 +148,5 @@ void main() {
     uint surface_bits = rootBits(diffuse_expression.x, 8) | rootBits(diffuse_expression.y, 8) << 8 | rootBits(diffuse_expression.z, 8) << 16;
     uint specular_bits = rootBits(mix(0.5, 0.05, eaten), 8);
     float shininess = phongExponent(mix(0.8, 0.15, eaten));
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(shininess, 10) << 21);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(shininess, 10) << 21);
 }

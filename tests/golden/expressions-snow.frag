@@ -128,6 +128,5 @@ void main() {
     // snow.yaml:6 Expression
     float specular_expression = snow * 0.2 + 0.05;
     uint specular_bits = rootBits(specular_expression, 8);
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 599785472u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 599785472u);
 }

@@ -116,8 +116,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 float laplace3DInput0(vec3 p) {
     // laplace3D.yaml:15 VolumeTurbulence
-    float diffuse_volumeTurbulence = turbulence(p * 2.0, 4, 2.0, 0.5);
-    return diffuse_volumeTurbulence;
+    return turbulence(p * 2.0, 4, 2.0, 0.5);
 }
 
 void main() {

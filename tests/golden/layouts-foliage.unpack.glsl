@@ -59,7 +59,7 @@ Surface unpackTexels(uvec4 target0, uvec4 target1) {
         surface.diffuse.y = rootFromBits(target0.y >> 10 & 1023u, 10);
         surface.diffuse.z = rootFromBits(target0.y >> 20 & 1023u, 10);
         surface.specular = vec3(unormFromBits(target1.x & 255u, 8) * 0.2);
-        surface.shininess = float(10.0);
+        surface.shininess = 10.0;
         surface.transparency = vec3(0.0);
         surface.diffuseTransparency = vec3(0.0);
     } else {
@@ -72,7 +72,7 @@ Surface unpackTexels(uvec4 target0, uvec4 target1) {
         surface.diffuseTransparency.y = rootFromBits(target1.x & 63u, 6);
         surface.diffuseTransparency.z = rootFromBits(target1.x >> 6 & 63u, 6);
         surface.transparency = vec3(unormFromBits(target1.x >> 12 & 15u, 4));
-        surface.shininess = float(10.0);
+        surface.shininess = 10.0;
     }
     return surface;
 }

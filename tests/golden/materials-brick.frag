@@ -352,14 +352,14 @@ void main() {
         float blend_5 = (up + 0.7) * 0.71428573;
         bool blend_6 = up < -0.7;
         float blend_7 = (up + 0.86) * 6.25;
-        float blend_8 = wall_3.z * 2.0 * 6.25;
-        float blend_9 = 1.0 - blend_5;
-        float blend_10 = 1.0 - (up - 0.7) * 6.25;
-        float blend_11 = wall_4.z * 2.0 * 6.25;
+        float blend_8 = 1.0 - blend_5;
+        float blend_9 = 1.0 - (up - 0.7) * 6.25;
+        float blend_10 = wall_3.z * 12.5;
+        float blend_11 = wall_4.z * 12.5;
         float blend_12 = -side;
-        float blend_13 = blend_4 ? side_1 * blend_5 + side_1 * blend_9 : blend_3 ? side_1 * blend_10 + blend_12 * blend_8 : 0.0;
-        float blend_14 = blend_4 ? side_2 * blend_5 + side_2 * blend_9 : blend_3 ? side_2 * blend_10 + blend_12 * blend_11 : 0.0;
-        blend = blend_6 ? side_1 * blend_7 + side * blend_8 : blend_13;
+        float blend_13 = blend_4 ? side_1 * blend_5 + side_1 * blend_8 : blend_3 ? side_1 * blend_9 + blend_12 * blend_10 : 0.0;
+        float blend_14 = blend_4 ? side_2 * blend_5 + side_2 * blend_8 : blend_3 ? side_2 * blend_9 + blend_12 * blend_11 : 0.0;
+        blend = blend_6 ? side_1 * blend_7 + side * blend_10 : blend_13;
         blend_2 = blend_6 ? side_2 * blend_7 + side * blend_11 : blend_14;
     }
     // brick.yaml:50 Blend
@@ -382,16 +382,12 @@ void main() {
         if (-0.93 < along && along < 0.93) {
             // brick.yaml:23 Gradient
             float brick_gradient = floor(wall.z * 0.5 + 0.5);
-            // brick.yaml:22 XYZTransform
-            vec3 brick_xyzTransform = vec3(brick_gradient) * vec3(4.3, 1.1, 2.9);
             // brick.yaml:34 VolumeTurbulence
             float clay_volumeTurbulence = turbulence(localPosition * 5.0, 11, 2.0, 0.5);
             // brick.yaml:20 Gradient
             float brick_gradient2 = floor(along_2 * 0.5 + 0.5);
-            // brick.yaml:19 XYZTransform
-            vec3 brick_xyzTransform2 = vec3(brick_gradient2) * vec3(1.7, 3.1, 5.3);
             // brick.yaml:16 brick
-            vec3 brick = brick_xyzTransform2 * 0.5 + brick_xyzTransform * 0.5;
+            vec3 brick = vec3(brick_gradient2) * vec3(0.85, 1.55, 2.65) + vec3(brick_gradient) * vec3(2.15, 0.55, 1.45);
             float clay_1 = turbulence(brick, 1, 2.0, 1.0) * 0.6 + clay_volumeTurbulence * 0.4;
             clay = mix(mix(vec3(0.15292615, 0.024157632, 0.011612245), vec3(0.3231432, 0.05612849, 0.02518686), clamp((clay_1 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.50888133, 0.15592647, 0.064803265), clamp(clay_1 * 2.0, 0.0, 1.0));
         } else {

@@ -203,9 +203,9 @@ void main() {
     // brickwork.yaml:31 UVTransform
     vec2 walls_uvTransform = (uv - vec2(0.003, 0.0)) * vec2(8.0, 4.0);
     // brickwork.yaml:39 VolumeTurbulence
-    float course_volumeTurbulence = turbulence(localPosition * 9.0, 3, 2.0, 0.5) * 0.5 + 0.5;
+    float bricks_volumeTurbulence = turbulence(localPosition * 9.0, 3, 2.0, 0.5) * 0.5 + 0.5;
     // brickwork.yaml:37 Blend
-    vec3 course_blend = mix(vec3(0.23074006, 0.04231141, 0.019382361), vec3(0.55201143, 0.1682694, 0.07818742), clamp(course_volumeTurbulence, 0.0, 1.0));
+    vec3 bricks_blend = mix(vec3(0.23074006, 0.04231141, 0.019382361), vec3(0.55201143, 0.1682694, 0.07818742), clamp(bricks_volumeTurbulence, 0.0, 1.0));
     // brickwork.yaml:11 bricks
     float bricks;
     // brickwork.yaml:11 bricks
@@ -216,18 +216,17 @@ void main() {
         // brickwork.yaml:18 course
         float course_1 = clamp((walls - 0.05) * 10.0, 0.0, 1.0);
         bricks = course_1 * 0.12;
-        bricks2 = mix(vec3(0.48514995, 0.4452012, 0.3712377), course_blend, course_1);
+        bricks2 = mix(vec3(0.48514995, 0.4452012, 0.3712377), bricks_blend, course_1);
     } else {
         // brickwork.yaml:26 walls
         float walls2 = cells2(walls_uvTransform * vec2(1.0, 2.0), vec2(0.0), 0.0, 2, 2);
         // brickwork.yaml:18 course
         float course2_1 = clamp((walls2 - 0.05) * 10.0, 0.0, 1.0);
         bricks = course2_1 * 0.12;
-        bricks2 = mix(vec3(0.48514995, 0.4452012, 0.3712377), course_blend, course2_1);
+        bricks2 = mix(vec3(0.48514995, 0.4452012, 0.3712377), bricks_blend, course2_1);
     }
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint specular_bits = rootBits(bricks, 8);
     uint surface_bits = rootBits(bricks2.x, 8) | rootBits(bricks2.y, 8) << 8 | rootBits(bricks2.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 645922816u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 645922816u);
 }

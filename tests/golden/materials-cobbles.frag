@@ -351,8 +351,8 @@ void main() {
             dome_5 = stone ? across * (along_5 + along_5) + across_10 * along : across_10;
         }
         if (dome < 0.12) {
-            dome_2 = dome_4 * 9.090909 * 0.65;
-            dome_3 = dome_5 * 9.090909 * 0.65;
+            dome_2 = dome_4 * 5.909091;
+            dome_3 = dome_5 * 5.909091;
         } else {
             // cobbles.yaml:25 Blend
             float dome_blend = mix(0.85, 1.05, clamp((grain.w + 1.0) * 0.5, 0.0, 1.0));
@@ -394,14 +394,10 @@ void main() {
     if (0.02 < diffuse_blend_1) {
         // cobbles.yaml:33 Gradient
         float number_gradient = floor(street.z);
-        // cobbles.yaml:33 XYZTransform
-        vec3 number_xyzTransform = vec3(number_gradient) * vec3(4.3, 1.1, 2.9);
         // cobbles.yaml:32 Gradient
         float number_gradient2 = floor(across_2);
-        // cobbles.yaml:32 XYZTransform
-        vec3 number_xyzTransform2 = vec3(number_gradient2) * vec3(1.7, 3.1, 5.3);
         // cobbles.yaml:30 number
-        vec3 number = number_xyzTransform2 * 0.5 + number_xyzTransform * 0.5;
+        vec3 number = vec3(number_gradient2) * vec3(0.85, 1.55, 2.65) + vec3(number_gradient) * vec3(2.15, 0.55, 1.45);
         float diffuse_blend3_1 = turbulence(number, 1, 2.0, 1.0) * 0.65 + grain.w * 0.35;
         diffuse_blend3 = mix(mix(vec3(0.104616486, 0.10946171, 0.12477182), vec3(0.23455058, 0.23074006, 0.21223076), clamp((diffuse_blend3_1 + 0.35) * 2.857143, 0.0, 1.0)), vec3(0.39157248, 0.33716363, 0.26225066), clamp(diffuse_blend3_1 * 2.857143, 0.0, 1.0));
     } else {
@@ -409,6 +405,5 @@ void main() {
     }
     vec3 diffuse_blend = mix(diffuse_blend2, diffuse_blend3, clamp((diffuse_blend_1 - 0.02) * 20.0, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 696254464u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 696254464u);
 }

@@ -74,6 +74,5 @@ void main() {
     // glTF.yaml:6 Mix
     vec3 mix_map = mix(vec3(0.8148466, 0.7156935, 0.54572445), vec3(0.19806932, 0.026241222, 0.019382361), tile);
     uint surface_bits = rootBits(mix_map.x, 8) | rootBits(mix_map.y, 8) << 8 | rootBits(mix_map.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 6, 0u, surface_bits | 419430400u, unormBits(mix(0.15, 0.6, tile), 9) | 3221224960u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 6, 0u, surface_bits | 419430400u, unormBits(mix(0.15, 0.6, tile), 9) | 3221224960u);
 }

@@ -73,6 +73,5 @@ void main() {
     vec4 diffuse_checker = mix(vec4(1.0, 1.0, 1.0, 0.0627451), vec4(0.011612245, 0.16202937, 0.2541521, 0.8156863), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     vec3 transparency = vec3(1.0) - diffuse_checker.www;
     uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | 2013265920u, rootBits(transparency.x, 6) << 24 | 11992184u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | 2013265920u, rootBits(transparency.x, 6) << 24 | 11992184u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
 }

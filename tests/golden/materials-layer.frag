@@ -129,6 +129,5 @@ void main() {
     vec3 coatTint = coat_1 ? mix(vec3(1.0), diffuse_checker_2 ? vec3(0.47506198, 0.4067678, 0.38066196) : vec3(0.39856482, 0.37995344, 0.3725487), coat_blend) * mix(vec3(1.0), vec3(1.0, 0.7912979, 0.43415365), coat_blend) : vec3(1.0);
     uint surface_bits = (coat_1 ? 28992u : 0u) | rootBits(coatTint.x, 5) << 17 | rootBits(coatTint.y, 5) << 22;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits2 = uvec4(surface_bits | rootBits(coatTint.z, 5) << 27 | 8u, unormBits(coat_1 ? coat_blend : 0.0, 6) << 20, octahedralBits(normal, 12) | unormBits(mix(0.8431389, 0.843173, coat_blend), 8) << 24, (diffuse_checker_2 ? 3563927u : 1782870u) | rootBits(reflectance_2 * reflectance_2, 7) << 24 | 2147483648u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(surface_bits | rootBits(coatTint.z, 5) << 27 | 8u, unormBits(coat_1 ? coat_blend : 0.0, 6) << 20, octahedralBits(normal, 12) | unormBits(mix(0.8431389, 0.843173, coat_blend), 8) << 24, (diffuse_checker_2 ? 3563927u : 1782870u) | rootBits(reflectance_2 * reflectance_2, 7) << 24 | 2147483648u);
 }

@@ -149,6 +149,5 @@ void main() {
     // malachite.json:15 Blend
     float specular_blend = mix(0.45, 0.25, clamp(diffuse_blend_1 * 0.5, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 8);
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1249902592u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1249902592u);
 }

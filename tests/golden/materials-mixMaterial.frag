@@ -250,6 +250,5 @@ void main() {
     vec3 diffuse = mix(vec3(0.027320892, 0.10946171, 0.26225066), diffuse_blend, blend);
     uint surface_bits2 = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
     vec3 normal = safeNormalize(eyeFromWorld(mix(safeNormalize(worldNormal), safeNormalize(bumpMap), blend))) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits2 | rootBits(specular.x, 8) << 24, surface_bits);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits2 | rootBits(specular.x, 8) << 24, surface_bits);
 }

@@ -184,6 +184,5 @@ void main() {
     }
     vec3 diffuse_blend = surface * (1.0 - diffuse_blend_1) + diffuse_blend_1 * vec3(0.9046612, 0.91309863, 0.9301109);
     uint surface2_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
-    uvec4 surface2_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface2_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 903872512u);
-    fragment0 = surface2_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface2_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 903872512u);
 }

@@ -94,6 +94,5 @@ void main() {
     vec2 anisotropy = anisotropyStored(vec2(0.45, 0.0), normal, eyeFromWorld(worldTangentU), eyeFromWorld(worldTangentV));
     uint surface_bits = unormBits((anisotropy.x + 1.0) * 0.5, 7) << 13 | unormBits((anisotropy.y + 1.0) * 0.5, 7) << 20;
     uint surface_bits2 = unormBits(image.x * 1.0431488, 8) | rootBits(expression.x, 8) << 8 | rootBits(expression.y, 8) << 16;
-    uvec4 surface_bits3 = uvec4(4294861672u, octahedralBits(normal, 12) << 6 | 6u, surface_bits2 | rootBits(expression.z, 8) << 24, surface_bits | 2147484672u);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(4294861672u, octahedralBits(normal, 12) << 6 | 6u, surface_bits2 | rootBits(expression.z, 8) << 24, surface_bits | 2147484672u);
 }

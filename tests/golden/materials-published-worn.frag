@@ -64,6 +64,5 @@ void main() {
     vec3 normalMap_4 = cross(normalMap_1, normalMap_3);
     vec3 normalMap = mat3(normalMap_3, dot(normalMap_4, worldTangentV) < 0.0 ? -normalMap_4 : normalMap_4, normalMap_1) * vec3((vec2(leopard2, 0.5) * 2.0 - vec2(1.0)) * 0.4, 1.0);
     vec3 normal = safeNormalize(eyeFromWorld(normalMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 6, 4227858432u, (0.5 <= checker.x) != (0.5 <= checker.y) ? 431868630u : 429367979u, 3221225190u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 6, 4227858432u, (0.5 <= checker.x) != (0.5 <= checker.y) ? 431868630u : 429367979u, 3221225190u);
 }

@@ -50,6 +50,5 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint transparency_bits = rootBits(1.0 - opacity, 6);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, 3378392u, transparency_bits << 24 | 5046272u, transparency_bits | transparency_bits << 6);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, 3378392u, transparency_bits << 24 | 5046272u, transparency_bits | transparency_bits << 6);
 }

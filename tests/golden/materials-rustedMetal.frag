@@ -269,6 +269,5 @@ void main() {
     vec3 bumpMap_3 = cross(bumpMap_1, blend2_3 * 0.05 * worldTangentV - blend2_4 * 0.05 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits2 | rootBits(specular_blend.x, 8) << 24, surface_bits);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits2 | rootBits(specular_blend.x, 8) << 24, surface_bits);
 }

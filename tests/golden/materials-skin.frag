@@ -239,6 +239,5 @@ void main() {
     // skin.yaml:11 Blend
     vec3 diffuse_blend = mix(flesh, vec3(0.48514995, 0.22322796, 0.116970666), clamp((freckles - 0.56) * 2.5641026, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 6) | rootBits(diffuse_blend.y, 6) << 6 | rootBits(diffuse_blend.z, 6) << 12;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858435u, 289406976u, surface_bits | specular_bits << 18 | specular_bits << 23, specular_bits | 1378131968u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858435u, 289406976u, surface_bits | specular_bits << 18 | specular_bits << 23, specular_bits | 1378131968u);
 }

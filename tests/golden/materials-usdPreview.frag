@@ -123,6 +123,5 @@ void main() {
     vec3 mix_map = mix(vec3(0.92158186, 0.7379104, 0.3662526), vec3(0.15592647, 0.014443844, 0.00699541), rubbed);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(mix_map.x, 8) | rootBits(mix_map.y, 8) << 8 | rootBits(mix_map.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 6, unormBits(1.0 - rubbed, 6) << 26, surface_bits | 419430400u, unormBits(mix(0.25, 0.7, rubbed), 9) | 3221224960u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 6, unormBits(1.0 - rubbed, 6) << 26, surface_bits | 419430400u, unormBits(mix(0.25, 0.7, rubbed), 9) | 3221224960u);
 }

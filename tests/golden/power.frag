@@ -143,6 +143,5 @@ void main() {
     // power.yaml:4 Power
     float diffuse_power = pow(max(diffuse_cells, 1e-37), 2.5);
     uint diffuse_bits = rootBits(diffuse_power, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
 }

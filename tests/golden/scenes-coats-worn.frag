@@ -121,6 +121,5 @@ void main() {
     vec3 coatTint = coat_1 ? mix(vec3(1.0), vec3(0.3732196, 0.38216996, 0.4067678), roughness) : vec3(1.0);
     uint surface_bits = (coat_1 ? 28672u : 0u) | rootBits(coatTint.x, 5) << 17 | rootBits(coatTint.y, 5) << 22;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits2 = uvec4(surface_bits | rootBits(coatTint.z, 5) << 27 | 8u, unormBits(coat_1 ? roughness : 0.0, 6) << 20, octahedralBits(normal, 12) | 2566914048u, rootBits(reflectance_2 * reflectance_2, 7) << 24 | 2153855519u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(surface_bits | rootBits(coatTint.z, 5) << 27 | 8u, unormBits(coat_1 ? roughness : 0.0, 6) << 20, octahedralBits(normal, 12) | 2566914048u, rootBits(reflectance_2 * reflectance_2, 7) << 24 | 2153855519u);
 }

@@ -72,6 +72,5 @@ void main() {
     vec2 diffuse_checker_1 = stripes2(fract(uv * vec2(48.0)), max(abs(uvByY * vec2(48.0)), abs(uvByX * vec2(48.0))));
     float diffuse_checker = mix(0.16, 0.4, 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     uint diffuse_bits = rootBits(diffuse_checker, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | 1476395008u, 903895128u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | 1476395008u, 903895128u);
 }

@@ -78,6 +78,5 @@ void main() {
     }
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(steps.x, 8) | rootBits(steps.y, 8) << 8 | rootBits(steps.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | rootBits(steps.x, 5) << 27 | 67108864u, rootBits(steps.y, 5) << 26, surface_bits | 2533359616u, rootBits(steps.z, 5) << 16 | 1319147415u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | rootBits(steps.x, 5) << 27 | 67108864u, rootBits(steps.y, 5) << 26, surface_bits | 2533359616u, rootBits(steps.z, 5) << 16 | 1319147415u);
 }

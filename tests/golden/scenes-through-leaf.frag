@@ -78,6 +78,5 @@ void main() {
     uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
     vec3 diffuseTransparency = checker * 0.44;
     uint surface_bits2 = rootBits(diffuseTransparency.x, 7) << 13 | rootBits(diffuseTransparency.y, 7) << 20 | transparency_bits << 27;
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 6 | 52u, surface_bits | 1929379840u, surface_bits2 | 1600u, rootBits(diffuseTransparency.z, 7) | transparency_bits << 7 | transparency_bits << 12 | 2684223488u);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 6 | 52u, surface_bits | 1929379840u, surface_bits2 | 1600u, rootBits(diffuseTransparency.z, 7) | transparency_bits << 7 | transparency_bits << 12 | 2684223488u);
 }

@@ -72,6 +72,5 @@ void main() {
     float diffuse_checker = mix(0.6, 0.72, 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint diffuse_bits = rootBits(diffuse_checker, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 3288334336u, 1610612736u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 647495680u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 3288334336u, 1610612736u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 647495680u);
 }

@@ -101,6 +101,5 @@ void main() {
         bays = vec3(0.0);
     }
     vec3 windows = bays * (windows_1 - clamp((localPosition.y - 4.5) * 100.0, 0.0, 1.0)) + bays * (clamp((localPosition.y - 0.49) * 100.0, 0.0, 1.0) - windows_1);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, 2307915776u, rootBits(windows.x, 5) << 27 | 891833u, rootBits(windows.y, 5) << 12 | rootBits(windows.z, 5) << 17 | 645922816u);
-    fragment0 = surface_bits;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, 2307915776u, rootBits(windows.x, 5) << 27 | 891833u, rootBits(windows.y, 5) << 12 | rootBits(windows.z, 5) << 17 | 645922816u);
 }

@@ -50,8 +50,7 @@ uint octahedralBits(vec3 n, int bits) {
 vec3 smooth3DInput0(vec2 st) {
     // smooth3D.yaml:9 Checker
     vec2 diffuse_checker_1 = fract(st * vec2(8.0, 4.0));
-    vec3 diffuse_checker = (0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y) ? vec3(0.8962694, 0.8549926, 0.7605245) : vec3(0.26225066, 0.011612245, 0.023153367);
-    return diffuse_checker;
+    return (0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y) ? vec3(0.8962694, 0.8549926, 0.7605245) : vec3(0.26225066, 0.011612245, 0.023153367);
 }
 
 void main() {
