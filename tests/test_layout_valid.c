@@ -17,7 +17,13 @@ static void check_places(const LayoutRow *layout, int number)
     const bool further = number >= layout->case_count - layout->further_count;
     const int last = layout_targets(layout) - 1;
     const FormatRow *end = &format_table[layout->formats[last]];
-    memset(taken[0][0], 1, (size_t)(layout_case_bits(layout) + (further ? layout_further_bits(layout) : 0)));
+    const int behind = number - (layout->case_count - layout->further_count); /* fifteen of four bits, then with as many more as the rest takes */
+    int bits = 0;
+    while (further && bits < 4 && 1 << bits < layout->further_count)
+        bits++;
+    for (int more = 0; further && layout->further_count > 16 && behind >= 15 && 1 << more < layout->further_count - 15; more++)
+        bits++;
+    memset(taken[0][0], 1, (size_t)(layout_case_bits(layout) + bits));
     if (further || (layout->further_count && !number))
         taken[last][end->lanes - 1][end->bits - 1] = 1;
     assert_null(layout_allocate(layout, number, &placement));

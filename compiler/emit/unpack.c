@@ -218,7 +218,9 @@ static void put_case(Text *out, const Job *job, int number, const char *indent)
 /* Which case it is. */
 static void put_number(Text *out, const LayoutRow *layout)
 {
-    const int bits = layout_case_bits(layout), further = layout_further_bits(layout), last = layout_targets(layout) - 1;
+    const int bits = layout_case_bits(layout), last = layout_targets(layout) - 1;
+    const int plain = layout->case_count - layout->further_count;
+    const Further further = layout_further(layout);
     if (bits)
         text_format(out, "    uint number = target0.x & %uu;\n", (1u << bits) - 1);
     else
@@ -226,12 +228,14 @@ static void put_number(Text *out, const LayoutRow *layout)
     if (layout->further_count) {
         text_format(out, bits ? "    if (number == 0u && target%d." : "    if (target%d.", last);
         text_char(out, "xyzw"[format_table[layout->formats[last]].lanes - 1]);
-        text_format(out, " >> %d == 1u) number = %du", format_table[layout->formats[last]].bits - 1,
-                    layout->case_count - layout->further_count);
-        if (further)
-            text_format(out, " + (target0.x >> %d & %uu)", bits, (1u << further) - 1);
+        text_format(out, " >> %d == 1u) number = %du", format_table[layout->formats[last]].bits - 1, plain);
+        if (further.bits)
+            text_format(out, " + (target0.x >> %d & %uu)", bits, (1u << further.bits) - 1);
         text_put(out, ";\n");
     }
+    if (further.more_bits)
+        text_format(out, "    if (number == %du) number += target0.x >> %d & %uu;\n", plain + further.few,
+                    bits + further.bits, (1u << further.more_bits) - 1);
     text_put(out, "    ");
 }
 

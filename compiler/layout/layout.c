@@ -110,8 +110,26 @@ static int bits_for(int count)
     return bits;
 }
 
+/* Numbers of further cases: of four bits at most. Where they are not enough, the last of them says that one more of so many bits follows. */
+enum { SHORT_BITS = 4, SHORT_NUMBERS = 1 << SHORT_BITS, ESCAPE = SHORT_NUMBERS - 1 };
+
 int layout_case_bits(const LayoutRow *row) { return bits_for(plain_count(row)); }
-int layout_further_bits(const LayoutRow *row) { return bits_for(row->further_count); }
+
+Further layout_further(const LayoutRow *row)
+{
+    if (row->further_count <= SHORT_NUMBERS)
+        return (Further){bits_for(row->further_count), row->further_count, 0};
+    return (Further){SHORT_BITS, ESCAPE, bits_for(row->further_count - ESCAPE)};
+}
+
+/* The bits behind the case's number 0, and how many there are. */
+static unsigned further_code(const LayoutRow *row, int further, int *bits)
+{
+    const Further numbers = layout_further(row);
+    const bool more = further >= numbers.few;
+    *bits = numbers.bits + (more ? numbers.more_bits : 0);
+    return (unsigned)(more ? ESCAPE | (further - numbers.few) << SHORT_BITS : further);
+}
 
 static bool is_last_word(const LayoutRow *row, int target, int lane)
 {
@@ -123,7 +141,10 @@ double layout_case_code(const LayoutRow *row, int number, int target, int lane)
     const int further = number - plain_count(row);
     const bool marked = further >= 0 && is_last_word(row, target, lane);
     const double mark = marked ? ldexp(1, format_table[row->formats[target]].bits - 1) : 0;
-    return mark + (target || lane ? 0 : further < 0 ? number : ldexp(further, layout_case_bits(row)));
+    int bits;
+    if (target || lane)
+        return mark;
+    return mark + (further < 0 ? number : ldexp(further_code(row, further, &bits), layout_case_bits(row)));
 }
 
 int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last)
@@ -132,7 +153,12 @@ int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last)
     const int bits = format_table[row->formats[layout_targets(row) - 1]].bits;
     if (!row->further_count || number || !(last >> (bits - 1) & 1))
         return number;
-    return plain_count(row) + (int)(first >> layout_case_bits(row) & ((1u << layout_further_bits(row)) - 1));
+    const Further numbers = layout_further(row);
+    const uint32_t code = first >> layout_case_bits(row);
+    const int further = (int)(code & ((1u << numbers.bits) - 1));
+    return plain_count(row) + (further < numbers.few || !numbers.more_bits
+                                   ? further
+                                   : ESCAPE + (int)(code >> SHORT_BITS & ((1u << numbers.more_bits) - 1)));
 }
 
 bool piece_is_slot(const Piece *piece)
@@ -200,7 +226,10 @@ const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *pla
 {
     const CaseRow *fields = &row->cases[number];
     const bool further = number >= plain_count(row);
-    Room room = {.taken = {{layout_case_bits(row) + (further ? layout_further_bits(row) : 0)}}};
+    int behind = 0;
+    if (further)
+        further_code(row, number - plain_count(row), &behind);
+    Room room = {.taken = {{layout_case_bits(row) + behind}}};
     room.marked = further || (row->further_count && number == 0);
     *placement = (Placement){0};
     if ((layout_case_bits(row) || row->further_count) && !format_table[row->formats[0]].words)

@@ -24,7 +24,12 @@ typedef struct {
 const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement);
 /* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. Those of further cases stand behind them. */
 int layout_case_bits(const LayoutRow *row);
-int layout_further_bits(const LayoutRow *row);
+/* Numbers of further cases: the first `few` have `bits`; where `more_bits` is not 0, the others have the number `few` and, behind it, one of
+ * their own, counted from 0. Of 20 cases 15 have four bits, 0 to 14, and five have the number 15 and three bits more. */
+typedef struct {
+    int bits, few, more_bits;
+} Further;
+Further layout_further(const LayoutRow *row);
 /* What of a word is known of a case: its number, and the highest bit of the last word. */
 double layout_case_code(const LayoutRow *row, int number, int target, int lane);
 /* The case that words were packed by, of the first target's first lane and of the last's last. */

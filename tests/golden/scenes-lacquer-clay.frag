@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(4294836284u, octahedralBits(normal, 12) << 6, 912044543u, 4294959808u);
+    fragment0 = uvec4(4294836280u, octahedralBits(normal, 12) << 6, 912044543u, 4294959808u);
 }

@@ -111,5 +111,5 @@ uint unormBits(float v, int bits) {
 void main() {
     float diffuseRoughness = clamp(granite(localPosition), 0.0, 1.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(4294836284u, octahedralBits(normal, 12) << 6, 3453673983u, unormBits(diffuseRoughness, 6) << 13 | 4294443712u);
+    fragment0 = uvec4(4294836280u, octahedralBits(normal, 12) << 6, 3453673983u, unormBits(diffuseRoughness, 6) << 13 | 4294443712u);
 }

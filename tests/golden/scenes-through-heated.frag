@@ -15,6 +15,11 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
 // (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
@@ -37,15 +42,10 @@ uint octahedralBits(vec3 n, int bits) {
     return code.x | code.y << bits;
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
 void main() {
     // through.yaml:30 Expression
     float expression = uv.y * 0.05 + 0.015;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     float filmPath = clamp(expression * 4.6, 0.0, 5.0);
-    fragment0 = uvec4(1090445304u, octahedralBits(normal, 12) | 419430400u, 10528945u, unormBits(filmPath * 0.2, 11) | 2147483648u);
+    fragment0 = uvec4(2124596284u, unormBits(filmPath * 0.2, 11) << 15 | 23456u, octahedralBits(normal, 12) | 1073741824u, 2147485311u);
 }
