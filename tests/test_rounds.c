@@ -108,18 +108,55 @@ static void equal_nodes_are_one(void **state)
     arena_free(&arena);
 }
 
-static Ir *ir_of(Session *session, const char *text)
+static Ir *ir_for(Session *session, const char *text, Job *job)
 {
     Tree *tree;
-    Job job;
     const Source source = {.name = "rounds.yaml", .text = text, .size = strlen(text)};
     ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
-    assert_null(choice_job(session->options, &job));
+    assert_null(choice_job(session->options, job));
     const Graph *graph = compile_front(session, 0, &tree);
     assert_non_null(graph);
-    Ir *ir = compile_ir(session, graph, graph->materials[0].node, &job);
+    Ir *ir = compile_ir(session, graph, graph->materials[0].node, job);
     assert_non_null(ir);
     return ir;
+}
+
+static Ir *ir_of(Session *session, const char *text)
+{
+    Job job;
+    return ir_for(session, text, &job);
+}
+
+/* Bytes that arenas hand out for a product of so many quotients under a BumpMap, from its text to the program's. */
+static double memory_of(int quotients)
+{
+    Arena arena = {0}, own = {0};
+    Text text = text_new(&own);
+    Products products = {0};
+    MatcOptions options;
+    Job job;
+    matc_options_init(&options);
+    options.validate = false;
+    Session session = {.options = &options, .arena = &arena, .optimize = 2};
+    text_put(&text, "material: Phong\ninput: { map: BumpMap, displacement: \"= 1");
+    for (int i = 0; i < quotients; i++)
+        text_format(&text, " * (u / (v + %d))", i + 1);
+    text_put(&text, "\" }\n");
+    Ir *ir = ir_for(&session, text.at, &job);
+    assert_true(compile_back(&session, ir, &job, &products));
+    const double used = (double)arena.used;
+    arena_free(&arena);
+    arena_free(&own);
+    return used;
+}
+
+/* Its slopes are sums of as many products as it has factors, each of all others: they are made of what there is already. */
+static void a_long_product_takes_memory_by_its_length(void **state)
+{
+    (void)state;
+    const double most_each = 10000, one = memory_of(1000), eight = memory_of(8000);
+    print_message("%.0f bytes for each of 1,000 quotients, %.0f for each of 8,000\n", one / 1000, eight / 8000);
+    assert_true(one <= 1000 * most_each && eight <= 8000 * most_each);
 }
 
 typedef struct {
@@ -206,6 +243,7 @@ int main(void)
         cmocka_unit_test(equal_nodes_are_one),
         cmocka_unit_test(a_rule_leaves_what_it_is_not_asked_of),
         cmocka_unit_test(rounds_end_where_nothing_is_found),
+        cmocka_unit_test(a_long_product_takes_memory_by_its_length),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

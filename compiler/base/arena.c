@@ -59,24 +59,27 @@ char *arena_string(Arena *arena, const char *text, size_t size)
     return copy;
 }
 
+void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wanted)
+{
+    const size_t more = aligned(wanted) - aligned(size);
+    if (old && (char *)old + aligned(size) == arena->next && (size_t)(arena->end - arena->next) >= more) {
+        arena->next += more;
+        arena->used += more;
+        return old;
+    }
+    void *moved = arena_alloc(arena, wanted);
+    if (kept)
+        memcpy(moved, old, kept);
+    return moved;
+}
+
 void *arena_grow(Arena *arena, void *array, size_t count, size_t *room, size_t size)
 {
     if (count < *room)
         return array;
-    size_t wanted = *room ? *room * 2 : 8;
-    /* the newest allocation grows where it lies */
-    size_t old = aligned(*room * size), more = aligned(wanted * size) - old;
-    if (array && (char *)array + old == arena->next && (size_t)(arena->end - arena->next) >= more) {
-        arena->next += more;
-        arena->used += more;
-        *room = wanted;
-        return array;
-    }
-    void *moved = arena_alloc(arena, wanted * size);
-    if (count)
-        memcpy(moved, array, count * size);
-    *room = wanted;
-    return moved;
+    const size_t before = *room;
+    *room = before ? before * 2 : 8;
+    return arena_extend(arena, array, before * size, count * size, *room * size);
 }
 
 void *arena_reach(Arena *arena, void *array, size_t index, size_t *room, size_t size)

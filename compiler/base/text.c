@@ -32,18 +32,17 @@ static void leave(Locale locale)
 
 Text text_new(Arena *arena) { return (Text){arena, NULL, 0, 0}; }
 
+/* Most texts are names. */
 void text_reserve(Text *text, size_t more)
 {
-    size_t need = text->size + more + 1;
+    enum { FIRST_ROOM = 64 };
+    const size_t need = text->size + more + 1;
+    size_t room = text->room ? text->room : FIRST_ROOM;
     if (need <= text->room)
         return;
-    size_t room = text->room ? text->room * 2 : 256;
     while (room < need)
         room *= 2;
-    char *moved = arena_alloc(text->arena, room);
-    if (text->size)
-        memcpy(moved, text->at, text->size);
-    text->at = moved;
+    text->at = arena_extend(text->arena, text->at, text->room, text->size, room);
     text->room = room;
 }
 
