@@ -151,6 +151,30 @@ static void a_mix_names_its_weights(void **state)
     free(text);
 }
 
+/* Half a pixel at -1 and half at 1 is half of each side, as at 0 and 1: the side of the half at 1 is not left out where the mean is 0. */
+static void a_mask_is_taken_to_its_range_before_its_mean(void **state)
+{
+    (void)state;
+    static const char document[] =
+        "material: MixMaterial\nmask: { map: Checker, color1: %s, color2: %s }\n"
+        "a: { material: Phong, diffuse: red, shininess: 0.2 }\n"
+        "b: { material: Phong, diffuse: blue, shininess: { map: VolumeTurbulence, octaves: 5 } }\n";
+    static const char *const masks[][2] = {{"-1", "1"}, {"-3", "2"}};
+    MatcOptions options = quick();
+    options.aa = "box";
+    char *texts[2];
+    for (int i = 0; i < 2; i++) {
+        char whole[512];
+        snprintf(whole, sizeof whole, document, masks[i][0], masks[i][1]);
+        texts[i] = compile_text(whole, MATC_FRAGMENT, &options);
+    }
+    assert_string_equal(texts[0], texts[1]);
+    assert_int_equal(count(texts[0], "MixMaterial = 1.0 - checker_2;"), 1);
+    assert_int_equal(count(texts[0], "if (0.0 < MixMaterial)"), 1);
+    free(texts[0]);
+    free(texts[1]);
+}
+
 /* Cells that a slope needs give their value with it, though jitter is cut in one way for the one and in another for the other. */
 static void a_slope_of_cells_has_their_value(void **state)
 {
@@ -206,12 +230,18 @@ static void a_centred_picture_is_the_samplers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_centred_picture_is_the_samplers), cmocka_unit_test(equal_subtrees_are_computed_once),
-        cmocka_unit_test(a_filter_is_one_function),          cmocka_unit_test(dead_parts_are_pruned),
-        cmocka_unit_test(costly_arms_are_branches),          cmocka_unit_test(mixed_sides_are_branches),
-        cmocka_unit_test(mixes_of_mixes_are_asked_once),     cmocka_unit_test(inputs_are_minimal),
-        cmocka_unit_test(outputs_are_one_assignment),        cmocka_unit_test(a_mix_names_its_weights),
+        cmocka_unit_test(a_centred_picture_is_the_samplers),
+        cmocka_unit_test(equal_subtrees_are_computed_once),
+        cmocka_unit_test(a_filter_is_one_function),
+        cmocka_unit_test(dead_parts_are_pruned),
+        cmocka_unit_test(costly_arms_are_branches),
+        cmocka_unit_test(mixed_sides_are_branches),
+        cmocka_unit_test(mixes_of_mixes_are_asked_once),
+        cmocka_unit_test(inputs_are_minimal),
+        cmocka_unit_test(outputs_are_one_assignment),
+        cmocka_unit_test(a_mix_names_its_weights),
         cmocka_unit_test(a_slope_of_cells_has_their_value),
+        cmocka_unit_test(a_mask_is_taken_to_its_range_before_its_mean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -78,17 +78,25 @@ static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
     return build_mix(ir, a, b, by);
 }
 
+/* How much of the second side there is: the mask taken to [0, 1], each part of a pixel's by itself. Half a pixel at -1 and half at 1 show half of it. */
+static Ref share_of_second(Lower *l, Answer mask, int depth)
+{
+    Ir *ir = l->ir;
+    if (mask.split && depth > 0)
+        return answer_mean(l, mask.split->by, share_of_second(l, mask.split->a, depth - 1),
+                           share_of_second(l, mask.split->b, depth - 1));
+    return build_clamp(ir, build_swizzle(ir, mask.value, "x"), build_float(ir, 0), build_float(ir, 1));
+}
+
 /* By a mask that is one of two within the pixel: the mean of both. */
 static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int depth)
 {
-    Ir *ir = l->ir;
     const Split *split = slot_mixing(slot) == MIXING_EXPONENT ? mask.split : NULL;
     if (split && depth > 0) {
         Ref a = mixed_by(l, slot, sides, split->a, depth - 1), b = mixed_by(l, slot, sides, split->b, depth - 1);
         return answer_mean(l, split->by, a, b);
     }
-    Ref red = build_swizzle(ir, mask.value, "x");
-    return mixed(l, slot, sides, build_clamp(ir, red, build_float(ir, 0), build_float(ir, 1)));
+    return mixed(l, slot, sides, share_of_second(l, mask, depth));
 }
 
 /* How much the second side counts, as much as it has of the slot that weighs this one. Where both have nothing, t. */
@@ -114,16 +122,28 @@ static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env
     return share;
 }
 
+/* The Mix's own, whichever slot asks first. */
+static Ref named_share(Lower *l, const Node *mix, Answer mask)
+{
+    Ir *ir = l->ir;
+    const uint32_t origin = ir->origin;
+    ir->origin = ir_origin(ir, mix);
+    const Ref share = share_of_second(l, mask, MOST_SPLITS);
+    lower_mark_head(ir, share, ir->origin);
+    ir->origin = origin;
+    return share;
+}
+
 static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
     const Answer mask = lower_answer(l, lower_param_node(m, P_MixMaterial_mask), GROUP_R, env);
-    Ref red = build_swizzle(ir, mask.value, "x"), zero = build_float(ir, 0), one = build_float(ir, 1);
-    const double *known = ir_known(ir, red);
+    const Ref t = named_share(l, m, mask), zero = build_float(ir, 0), one = build_float(ir, 1);
+    const double *known = ir_known(ir, t);
     const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);
     if (l->cheap && known && (*known <= 0 || *known >= 1))
         return side_of_mix(l, m, *known <= 0 ? a : b, slot, env);
-    const MixedSide sides[] = {{m, a, build_lt(ir, red, one)}, {m, b, build_lt(ir, zero, red)}};
+    const MixedSide sides[] = {{m, a, build_lt(ir, t, one)}, {m, b, build_lt(ir, zero, t)}};
     Ref first = side_value(l, &sides[0], slot, env), second = side_value(l, &sides[1], slot, env);
     if (first == second)
         return first;
@@ -131,7 +151,6 @@ static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
     second = guarded_side(l, &sides[1], second);
     if (slot_weight(slot) == SLOT_COUNT)
         return mixed_by(l, slot, (Ref[]){first, second}, mask, MOST_SPLITS);
-    Ref t = build_clamp(ir, red, zero, one);
     return build_mix(ir, first, second, weighed(l, sides, slot_weight(slot), t, env));
 }
 

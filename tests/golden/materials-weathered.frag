@@ -118,10 +118,12 @@ void main() {
     // weathered.yaml:12 Expression
     float expression_1 = clamp(turbulence(localPosition * 3.0, 5, 2.0, 0.5) / 0.1, 0.0, 1.0);
     float expression = (3.0 - expression_1 * 2.0) * (expression_1 * expression_1);
+    // weathered.yaml:11 weathered
+    float weathered = clamp(expression, 0.0, 1.0);
     // weathered.yaml:13 Expression
     vec3 expression2;
     vec3 coatTint_1;
-    if (expression < 1.0) {
+    if (weathered < 1.0) {
         vec3 expression2_1 = (turbulence(localPosition * 6.0, 3, 2.0, 0.5) * 0.2 + 1.0) * vec3(0.3662526, 0.033104766, 0.020288562);
         expression2 = expression2_1;
         coatTint_1 = mix(vec3(1.0), vec3(0.36982247) / (vec3(1.0) - expression2_1 * 0.6301775), 0.4);
@@ -130,12 +132,10 @@ void main() {
         coatTint_1 = vec3(0.0);
     }
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    float metalness = clamp(expression, 0.0, 1.0);
-    // weathered.yaml:11 weathered
-    float weathered = 0.000001 < (1.0 - metalness) * 0.4 ? 0.0 : metalness;
-    vec3 diffuse = mix(expression2, vec3(0.2663556, 0.29613826, 0.3277781), metalness);
+    float weathered_1 = 0.000001 < (1.0 - weathered) * 0.4 ? 0.0 : weathered;
+    vec3 diffuse = mix(expression2, vec3(0.2663556, 0.29613826, 0.3277781), weathered);
     uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
-    vec3 coatTint = mix(coatTint_1, vec3(1.0), metalness);
-    uint surface_bits2 = rootBits(mix(0.053254437, 0.0, weathered), 5) << 12 | rootBits(coatTint.x, 5) << 17 | rootBits(coatTint.y, 5) << 22;
-    fragment0 = uvec4(surface_bits2 | rootBits(coatTint.z, 5) << 27 | 8u, unormBits(mix(0.4, 0.0, metalness), 6) << 20 | unormBits(metalness, 6) << 26, octahedralBits(normal, 12) | unormBits(mix(0.35, 0.5, metalness), 8) << 24, surface_bits | rootBits(mix(0.019712482, 0.04, metalness), 7) << 24 | 2147483648u);
+    vec3 coatTint = mix(coatTint_1, vec3(1.0), weathered);
+    uint surface_bits2 = rootBits(mix(0.053254437, 0.0, weathered_1), 5) << 12 | rootBits(coatTint.x, 5) << 17 | rootBits(coatTint.y, 5) << 22;
+    fragment0 = uvec4(surface_bits2 | rootBits(coatTint.z, 5) << 27 | 8u, unormBits(mix(0.4, 0.0, weathered), 6) << 20 | unormBits(weathered, 6) << 26, octahedralBits(normal, 12) | unormBits(mix(0.35, 0.5, weathered), 8) << 24, surface_bits | rootBits(mix(0.019712482, 0.04, weathered), 7) << 24 | 2147483648u);
 }
