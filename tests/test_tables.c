@@ -182,6 +182,17 @@ static void try_words(const ParamRow *row)
     assert_false(tries(row, "0"));
 }
 
+/* A number is within the row's range; what varies may be anything. */
+static void try_map(const ParamRow *row)
+{
+    assert_true(tries(row, "0.5") && tries(row, "= u + .5") && tries(row, "{ map: Granite }") && !tries(row, "true"));
+    if (!isfinite(row->high))
+        return;
+    assert_true(tries_number(row, row->low) && tries_number(row, row->high));
+    assert_false(tries_number(row, row->low - 1) || tries_number(row, row->high + 1));
+    assert_false(tries(row, "[1, 1, 1e30]") || tries(row, "{ param: a, default: -1e30 }"));
+}
+
 static void every_parameter_is_tried(void **state)
 {
     (void)state;
@@ -191,7 +202,7 @@ static void every_parameter_is_tried(void **state)
         if (numeric)
             try_numeric(row);
         else if (row->type == PARAM_Map)
-            assert_true(tries(row, "0.5") && tries(row, "{ map: Granite }") && !tries(row, "true"));
+            try_map(row);
         else if (row->type == PARAM_Material)
             assert_true(tries(row, "{ material: RGBA }") && !tries(row, "0.5"));
         else if (row->type == PARAM_Bool)

@@ -77,7 +77,8 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
     const Node *node = row->type == PARAM_Map ? resolve_map(r, tree, &fault) : resolve_material(r, tree, &fault);
     r->param = outer;
     *value = (Value){.kind = node ? VALUE_node : VALUE_none, .node = node};
-    return !fault;
+    const bool number = node && node->kind == KIND_Constant;
+    return !fault && (!number || resolve_in_range(r, row, tree, &node->params[0]));
 }
 
 static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *value)

@@ -86,6 +86,8 @@ bool resolve_items(Resolver *r, Tree *tree, Value *value);
 bool resolve_map_list(Resolver *r, const char *name, Tree *tree, Value *value);
 /* The value of one parameter. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
+/* False, and a diagnostic: a lane of the number, or of a param's default, is beyond what the row allows. resolve_leaf.c */
+bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value);
 /* Of one that holds neither maps nor materials; what stands for null. resolve_leaf.c */
 bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
 Value resolve_null(Resolver *r, const ParamRow *row, const Tree *tree);

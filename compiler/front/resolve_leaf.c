@@ -12,7 +12,7 @@ static void put_number(Text *out, const ParamRow *row, double value)
         text_double(out, value);
 }
 
-static bool in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
+bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
 {
     const double *lanes = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
     for (int i = 0; i < type_table[value->type].lanes; i++) {
@@ -104,7 +104,7 @@ static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value 
     const LaneCount lanes = {vector ? 3 : 1, vector ? 3 : constant ? 4 : 1};
     if (!resolve_number(r, row->name, tree, lanes, value))
         return false;
-    return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) && in_range(r, row, tree, value);
+    return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) && resolve_in_range(r, row, tree, value);
 }
 
 /* `diffuse: #ff0000` gives nothing, and a comment. */

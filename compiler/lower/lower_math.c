@@ -28,8 +28,6 @@ static Ref number(Lower *l, const Node *node, int param, const Env *env)
     return build_swizzle(l->ir, colour(l, node, param, env).value, "x");
 }
 
-static Ref factor(Lower *l, const Node *node, int param) { return lower_param(l, node_param(node, param), TYPE_float); }
-
 /* With the alpha that another colour has, if it has one. */
 static Answer with_alpha(Lower *l, Answer answer, Ref from)
 {
@@ -101,19 +99,18 @@ Answer lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     Answer x = colour(l, node, P_Remap_input, env);
-    Ref low = factor(l, node, P_Remap_low), high = factor(l, node, P_Remap_high);
-    Ref to_low = factor(l, node, P_Remap_toLow), to_high = factor(l, node, P_Remap_toHigh);
-    Ref zero = build_float(ir, 0), one = build_float(ir, 1), width = build_sub(ir, high, low);
-    Ref none = build_eq(ir, width, zero);
-    Ref rate = build_div(ir, build_sub(ir, to_high, to_low), build_select(ir, none, one, width));
-    return given(l, line(l, x, low, REFS(ir, build_select(ir, none, zero, rate), to_low)), group);
+    Ref low = number(l, node, P_Remap_low, env), high = number(l, node, P_Remap_high, env);
+    Ref to_low = number(l, node, P_Remap_toLow, env), to_high = number(l, node, P_Remap_toHigh, env);
+    Ref width = build_sub(ir, high, low), rise = build_sub(ir, to_high, to_low);
+    Ref rate = lower_term(l, TERM_divide, (const Ref[TERM_MOST_ARGUMENTS]){rise, width}); /* 0 where there is no width */
+    return given(l, line(l, x, low, (const Ref[]){rate, to_low}), group);
 }
 
 Answer lower_Contrast(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer x = colour(l, node, P_Contrast_input, env);
-    Ref amount = factor(l, node, P_Contrast_amount), pivot = factor(l, node, P_Contrast_pivot);
-    return given(l, line(l, x, pivot, REFS(l->ir, amount, pivot)), group);
+    Ref amount = number(l, node, P_Contrast_amount, env), pivot = number(l, node, P_Contrast_pivot, env);
+    return given(l, line(l, x, pivot, (const Ref[]){amount, pivot}), group);
 }
 
 /* A function that is not linear, with numbers of its own. */
@@ -142,7 +139,7 @@ static Ref clamped(Lower *l, Ref x, const Ref *low_high)
 Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Answer x = whole_colour(l, node, P_Clamp_input, env);
-    const Ref low = factor(l, node, P_Clamp_low), high = factor(l, node, P_Clamp_high);
+    const Ref low = number(l, node, P_Clamp_low, env), high = number(l, node, P_Clamp_high, env);
     return given(l, curved(l, &(Curve){clamped, {low, high}}, x, MOST_HALVINGS), group);
 }
 
@@ -162,7 +159,9 @@ static Ref term_of(Lower *l, Term term, Ref x) { return lower_term(l, term, (con
 Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Answer x = whole_colour(l, node, P_Power_input, env);
-    const Ref exponent = factor(l, node, P_Power_exponent);
+    const ParamRow *row = &param_table[P_Power_exponent];
+    Ref low = build_float(l->ir, row->low), high = build_float(l->ir, row->high);
+    Ref exponent = build_clamp(l->ir, number(l, node, P_Power_exponent, env), low, high);
     return given(l, curved(l, &(Curve){raised, {exponent}}, x, MOST_HALVINGS), group);
 }
 
@@ -181,8 +180,8 @@ static Ref turned(Lower *l, Ref x, const Ref *by)
 Answer lower_HSV(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Answer x = whole_colour(l, node, P_HSV_input, env);
-    const Ref hue = factor(l, node, P_HSV_hue), saturation = factor(l, node, P_HSV_saturation),
-              value = factor(l, node, P_HSV_value);
+    const Ref hue = number(l, node, P_HSV_hue, env), saturation = number(l, node, P_HSV_saturation, env),
+              value = number(l, node, P_HSV_value, env);
     return given(l, curved(l, &(Curve){turned, {hue, saturation, value}}, x, MOST_HALVINGS), group);
 }
 

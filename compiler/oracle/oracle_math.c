@@ -1,6 +1,8 @@
 /* The answers of maps that are arithmetic between others. All work on colours; another group's lanes are the result's first. */
 #include "compiler/oracle/oracle_maps.h"
 
+static const double LEAST_WIDTH = 1e-30, MOST_EXPONENT = 64;
+
 /* A lane of the colour that a parameter's map is: the one of the channel, whatever its group. */
 static double lane_at(Environment *environment, const Node *node, int param, int lane)
 {
@@ -31,30 +33,31 @@ double oracle_Multiply(Environment *environment, const Node *node, int channel)
 double oracle_Remap(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Remap_input, lane_of(channel));
-    const double low = oracle_number(node, P_Remap_low), high = oracle_number(node, P_Remap_high);
-    const double to_low = oracle_number(node, P_Remap_toLow), to_high = oracle_number(node, P_Remap_toHigh);
+    const double low = lane_at(environment, node, P_Remap_low, 0), high = lane_at(environment, node, P_Remap_high, 0);
+    const double to_low = lane_at(environment, node, P_Remap_toLow, 0), to_high = lane_at(environment, node, P_Remap_toHigh, 0);
     if (lane_of(channel) == 3)
         return x;
-    return low == high ? to_low : to_low + (to_high - to_low) * ((x - low) / (high - low));
+    return fabs(high - low) < LEAST_WIDTH ? to_low : to_low + (to_high - to_low) * ((x - low) / (high - low));
 }
 
 double oracle_Contrast(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Contrast_input, lane_of(channel));
-    const double pivot = oracle_number(node, P_Contrast_pivot);
-    return lane_of(channel) == 3 ? x : pivot + oracle_number(node, P_Contrast_amount) * (x - pivot);
+    const double pivot = lane_at(environment, node, P_Contrast_pivot, 0);
+    return lane_of(channel) == 3 ? x : pivot + lane_at(environment, node, P_Contrast_amount, 0) * (x - pivot);
 }
 
 double oracle_Clamp(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Clamp_input, lane_of(channel));
-    return lane_of(channel) == 3 ? x : fmin(fmax(x, oracle_number(node, P_Clamp_low)), oracle_number(node, P_Clamp_high));
+    return lane_of(channel) == 3 ? x : fmin(fmax(x, lane_at(environment, node, P_Clamp_low, 0)), lane_at(environment, node, P_Clamp_high, 0));
 }
 
 double oracle_Power(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Power_input, lane_of(channel));
-    return lane_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), oracle_number(node, P_Power_exponent)), 1e37);
+    const double exponent = fmin(fmax(lane_at(environment, node, P_Power_exponent, 0), 0), MOST_EXPONENT);
+    return lane_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), exponent), 1e37);
 }
 
 /* Red, green and blue as hue in turns, saturation and value: the hexagon that the colour cube shows when it is looked at along its diagonal. */
@@ -84,9 +87,9 @@ double oracle_HSV(Environment *environment, const Node *node, int channel)
     for (int i = 0; i < 3; i++)
         rgb[i] = lane_at(environment, node, P_HSV_input, i);
     hsv_of(rgb, hsv);
-    hsv[0] += oracle_number(node, P_HSV_hue);
-    hsv[1] *= oracle_number(node, P_HSV_saturation);
-    hsv[2] *= oracle_number(node, P_HSV_value);
+    hsv[0] += lane_at(environment, node, P_HSV_hue, 0);
+    hsv[1] *= lane_at(environment, node, P_HSV_saturation, 0);
+    hsv[2] *= lane_at(environment, node, P_HSV_value, 0);
     return lane_of_hsv(hsv, lane_of(channel));
 }
 

@@ -26,6 +26,7 @@ typedef struct {
 } Generator;
 
 static void map_value(Generator *g);
+static void put_map(Generator *g);
 static void put_transformer(Generator *g);
 
 static void put_number(Generator *g, double value)
@@ -198,6 +199,10 @@ static void put_value(Generator *g, const ParamRow *row)
     case PARAM_Map:
         if (g->relief && is_place(row))
             put_transformer(g);
+        else if (isfinite(row->low) && (g->left <= 0 || chance(g->c, 1, 2)))
+            put_numeric(g, row);
+        else if (isfinite(row->low))
+            put_map(g);
         else
             map_value(g);
         break;
