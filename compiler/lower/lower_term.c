@@ -4,6 +4,7 @@
  *     u / (1 + v * v)   c = |1 + v v| < 1e-30; select(c, 0, u) / select(c, 1, 1 + v v). 1 + v v is at least 1, so it is u / (1 + v v) */
 #include "compiler/lower/lower_term.h"
 #include "compiler/ir/build_words.h"
+#include "compiler/lower/answer.h"
 #include "compiler/lower/area.h"
 #include "compiler/lower/cells.h"
 #include "runtime/library/reference.h"
@@ -297,17 +298,18 @@ Ref lower_whole_power(Lower *l, Ref a, int power)
     return power < 0 ? quotient(l, REFS(ir, build_float(ir, 1), product)) : product;
 }
 
-/* MaterialX's, of three dimensions. */
+/* MaterialX's, of three dimensions, over the pixel as the maps of these names. */
 static Ref cell_noise(Lower *l, Ref p)
 {
-    return build_call(l->ir, FN_FIRST_MAP + KIND_CellNoise, p, build_int(l->ir, 3));
+    Ref dimensions = build_int(l->ir, 3);
+    return area_volume(l, KIND_CellNoise, answer_of(p), &dimensions, 1).value;
 }
 
 static Ref worley(Lower *l, Ref p)
 {
     Ir *ir = l->ir;
     Ref jitter = build_float(ir, 1), style = build_int(ir, 0), dimensions = build_int(ir, 3);
-    return build_call(ir, FN_FIRST_MAP + KIND_Worley, p, jitter, style, dimensions);
+    return area_volume(l, KIND_Worley, answer_of(p), (const Ref[]){jitter, style, dimensions}, 3).value;
 }
 
 #define CELL_NOISE(a)              cell_noise(l, three(l, a))
