@@ -216,7 +216,7 @@ static void count_pictures(const Node *node, Pictures *found)
 }
 
 /* glTF 2.0, section 3.9: the pictures of base colour, emission, sheen's and specular's colour are sRGB, all others linear; 3.8.4: a texel is a point in the middle of its
- * square. So it is in a document, too: what a map says itself goes first, what another material has is as the document says. */
+ * square. UsdPreviewSurface and MaterialX have (0, 0) and (1, 1) at corners of the picture, not of texels, and leave colour spaces to its own node. So it is in a document, too: what a map says itself goes first, what another material has is as the document says. */
 static void documents_have_pictures_as_files_do(void **state)
 {
     (void)state;
@@ -240,7 +240,13 @@ static void documents_have_pictures_as_files_do(void **state)
         {"material: glTF\nemissiveFactor: 1\nemissiveTexture: { map: ImageMap, image: 'tiles a.png', colorspace: linear }", true, false, ALL},
         {"colors: srgb\nmaterial: glTF\nmetallicRoughnessTexture: " P, true, false, ALL},
         {"material: Mix\na: { material: glTF, emissiveFactor: 1, emissiveTexture: " P " }\nb: { material: Principled, emission: 1, emissionColor: " P " }", true, true, SOME},
-        {"material: StandardSurface\nemission: 1\nemission_color: " P, true, false, NONE},
+        {"material: StandardSurface\nemission: 1\nemission_color: " P, true, false, ALL},
+        {"colors: srgb\nmaterial: StandardSurface\nemission: 1\nemission_color: " P, false, true, ALL},
+        {"material: StandardSurface\nspecular_roughness: " P, true, false, ALL},
+        {"material: StandardSurface\nspecular_roughness: { map: ImageMap, image: 'tiles a.png', texels: corner }", true, false, NONE},
+        {"material: UsdPreview\ndiffuseColor: " P, true, false, ALL},
+        {"material: UsdPreview\nnormal: { map: NormalMap, normal: " P " }", true, false, ALL},
+        {"material: Principled\nbaseColor: " P, true, false, NONE},
         {"material: Phong\ndiffuse: " P, true, false, NONE},
         {"colors: srgb\nmaterial: Phong\ndiffuse: " P, false, true, NONE},
     };

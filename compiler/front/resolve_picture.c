@@ -10,7 +10,9 @@
  * A picture of floats is always linear. A map that feeds both is one map, with one value: sRGB.
  *
  * glTF defines its pictures: those of colours are sRGB whatever the file's `colors:` say, all others linear, and texels stand in the middle of their squares. So it
- * is for a material `glTF` of a document, as of a .gltf (read_gltf.c), where the maps do not say otherwise. */
+ * is for a material `glTF` of a document, as of a .gltf (read_gltf.c), where the maps do not say otherwise. UsdPreview's textures and MaterialX's images, which StandardSurface
+ * reads, span the square from 0, 0 to 1, 1 by their edges, too: texels stand in the middle of theirs. What their bytes mean is no matter of the material there, but of the
+ * texture's sourceColorSpace and the file's colorspace: here, of the map's and the document's. */
 #include "compiler/front/resolve.h"
 
 void resolve_picture(Resolver *r, const Node *node, Value *params)
@@ -60,14 +62,16 @@ static void reach_inputs(Reach *all, const Node *node)
     }
 }
 
-/* What hangs below the glTF materials of the document. */
-static const bool *reached_of_gltf(const Resolver *r, bool any_way)
+static bool is_gltf(Kind written) { return written == KIND_glTF; }
+
+/* What hangs below the materials of the document that the author wrote as such. */
+static const bool *reached_of(const Resolver *r, bool (*such)(Kind written), bool any_way)
 {
     Reach all = {.any_way = any_way,
                  .met = ARENA_ARRAY(r->session->arena, bool, r->node_count),
                  .open = ARENA_ARRAY(r->session->arena, const Node *, r->node_count)};
     for (size_t i = 0; i < r->named_count; i++)
-        reach(&all, r->nodes[i]->written == KIND_glTF ? r->nodes[i] : NULL);
+        reach(&all, such(r->nodes[i]->written) ? r->nodes[i] : NULL);
     while (all.count)
         reach_inputs(&all, all.open[--all.count]);
     return all.met;
@@ -88,8 +92,8 @@ void resolve_picture_spaces(Resolver *r, const NamedMaterial *materials, int cou
 {
     if (!r->undecided_count)
         return;
-    const bool *colored = reached_of_colours(r, materials, count), *below = reached_of_gltf(r, true),
-               *tinting = reached_of_gltf(r, false);
+    const bool *colored = reached_of_colours(r, materials, count), *below = reached_of(r, resolve_is_foreign, true),
+               *tinting = reached_of(r, is_gltf, false);
     for (size_t i = 0; i < r->undecided_count; i++) {
         const UndecidedPicture *picture = &r->undecided[i];
         const int node = picture->node->index;

@@ -6,15 +6,20 @@ in vec3 eyeNormal;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
-// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
-vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
-    return texture(s, uv + 0.5 / size);
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// Width and height of a picture, texels.
-vec2 pictureSize(sampler2D s) {
-    return vec2(textureSize(s, 0));
+// A picture by its sampler, a texel's value at its centre, where samplers have it. The footprint is that of the neighbouring pixels: not in branches.
+// Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageCentred(sampler2D s, vec2 uv) {
+    return texture(s, uv);
 }
 
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
@@ -25,16 +30,6 @@ uint unormBits(float v, int bits) {
 // The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
-}
-
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -60,9 +55,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // published.yaml:45 rough
-    vec4 rough = imageSampled(imageTexture0, uv, pictureSize(imageTexture0));
-    uint surface_bits = unormBits(rough.x, 6) << 6 | rootBits(rough.x, 5) << 17 | rootBits(rough.y, 5) << 22;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(surface_bits | rootBits(rough.z, 5) << 27 | 24588u, unormBits(rough.x, 8) << 24 | 16515072u, octahedralBits(normal, 12) | 3825205248u, 2256528612u);
+    // published.yaml:45 rough
+    vec4 rough = imageCentred(imageTexture0, uv);
+    uint surface_bits = unormBits(rough.x, 6) << 6 | rootBits(rough.x, 5) << 17 | rootBits(rough.y, 5) << 22;
+    uvec4 surface_bits2 = uvec4(surface_bits | rootBits(rough.z, 5) << 27 | 24588u, unormBits(rough.x, 8) << 24 | 16515072u, octahedralBits(normal, 12) | 3825205248u, 2256528612u);
+    fragment0 = surface_bits2;
 }

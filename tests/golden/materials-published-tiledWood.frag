@@ -9,17 +9,6 @@ uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
-// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
-vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
-    return texture(s, uv + 0.5 / size);
-}
-
-// Width and height of a picture, texels.
-vec2 pictureSize(sampler2D s) {
-    return vec2(textureSize(s, 0));
-}
-
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -58,6 +47,12 @@ uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
 }
 
+// A picture by its sampler, a texel's value at its centre, where samplers have it. The footprint is that of the neighbouring pixels: not in branches.
+// Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageCentred(sampler2D s, vec2 uv) {
+    return texture(s, uv);
+}
+
 // The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
@@ -86,13 +81,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // published.yaml:37 ImageMap
-    vec4 image = imageSampled(imageTexture0, uv * vec2(4.0), pictureSize(imageTexture0));
-    // published.yaml:33 Expression
-    vec3 expression = max(clamp(image.xyz, 0.0, 1.0), 1e-37);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     vec2 anisotropy = anisotropyStored(vec2(0.45, 0.0), normal, eyeFromWorld(worldTangentU), eyeFromWorld(worldTangentV));
     uint surface_bits = unormBits((anisotropy.x + 1.0) * 0.5, 7) << 13 | unormBits((anisotropy.y + 1.0) * 0.5, 7) << 20;
+    // published.yaml:37 ImageMap
+    vec4 image = imageCentred(imageTexture0, uv * vec2(4.0));
+    // published.yaml:33 Expression
+    vec3 expression = max(clamp(image.xyz, 0.0, 1.0), 1e-37);
     uint surface_bits2 = unormBits(image.x * 1.0431488, 8) | rootBits(expression.x, 8) << 8 | rootBits(expression.y, 8) << 16;
     fragment0 = uvec4(4294861672u, octahedralBits(normal, 12) << 6 | 6u, surface_bits2 | rootBits(expression.z, 8) << 24, surface_bits | 2147484672u);
 }
