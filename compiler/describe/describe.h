@@ -5,6 +5,7 @@
 #include "grammar/layout_tables.h"
 #include "compiler/layout/layout.h"
 #include "compiler/base/text.h"
+#include "grammar/key_table.h"
 #include "grammar/scene_tables.h"
 
 #define CHAIN_DOC "second(factor * first(v) + shift): two waves, one after the other."
@@ -40,6 +41,8 @@ void describe_layout(Text *out, const LayoutRow *layout);
 /* What a parameter's value must be, as members of a JSON object of the schema of documents; the definition of a list of
  * words.def there. describe_value.c */
 void describe_value(Text *out, const ParamRow *param);
+/* "name": { "description": what keys.def says, and the definition goes on. describe_value.c */
+void describe_open_key(Text *out, const char *name, Key key);
 const char *describe_word_list(ParamKind list);
 /* The page of a scene's kind, and of a sort. describe_scene.c */
 void describe_scene_kind(Text *out, SceneKind kind);

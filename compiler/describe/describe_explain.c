@@ -3,6 +3,7 @@
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
 #include "grammar/expression_tables.h"
+#include "grammar/key_table.h"
 #include <math.h>
 #include <string.h>
 #include <strings.h>
@@ -198,16 +199,11 @@ static void explain_color_spaces(const Query *q)
 
 static void explain_keys(const Query *q)
 {
-    static const struct {
-        const char *name, *where, *doc, *example;
-    } rows[] = {
-#define KEY(name, where, doc, example) {#name, where, doc, example},
-#include "grammar/keys.def"
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        if (begins(q, rows[i].name))
-            text_format(q->out, "%s (key %s)\n%s\n\nExample\n%s", rows[i].name, rows[i].where, rows[i].doc,
-                        rows[i].example);
+    for (int i = 0; i < KEY_COUNT; i++) {
+        const KeyRow *row = &key_table[i];
+        if (begins(q, row->name))
+            text_format(q->out, "%s (key %s)\n%s\n\nExample\n%s", row->name, row->where, row->doc, row->example);
+    }
 }
 
 static void explain_channels(const Query *q)

@@ -21,8 +21,8 @@ static const char parameter_definitions[] =
     "        \"doc\": {\"type\": \"string\"}, \"min\": {\"type\": \"number\"}, \"max\": {\"type\": \"number\"}\n"
     "      }}\n"
     "    },\n"
-    "    \"definition\": {\n"
-    "      \"description\": \"A map or material with parameters: `{ param: name }` in it is what its use says.\",\n"
+;
+static const char definition_properties[] =
     "      \"type\": \"object\", \"anyOf\": [{\"required\": [\"params\"]}, {\"required\": [\"doc\"]}],\n"
     "      \"oneOf\": [{\"required\": [\"map\"]}, {\"required\": [\"material\"]}, {\"required\": [\"ref\"]}],\n"
     "      \"properties\": {\n"
@@ -34,12 +34,10 @@ static const char parameter_definitions[] =
 
 /* A use of any definition, whatever a document has. */
 static const char any_ref[] =
-    "{\n"
-    "      \"description\": \"A map or material of `defs:`.\",\n"
     "      \"type\": \"object\", \"required\": [\"ref\"],\n"
     "      \"properties\": {\"ref\": {\"type\": \"string\"}},\n"
     "      \"additionalProperties\": {\"description\": \"An argument for a parameter of the definition.\"}\n"
-    "    }";
+    "    },\n";
 
 /* What may stand beside a material at the outermost level. */
 #define BESIDE                                                                                                         \
@@ -58,8 +56,6 @@ static const char any_ref_document[] =
 
 /* Definitions that no table speaks of. */
 static const char fixed_definitions[] =
-    "    \"param\": {\n"
-    "      \"description\": \"A value that is set at run time: a uniform.\",\n"
     "      \"type\": \"object\", \"required\": [\"param\", \"default\"], \"additionalProperties\": false,\n"
     "      \"properties\": {\n"
     "        \"param\": {\"type\": \"string\", \"pattern\": \"^[A-Za-z][A-Za-z0-9_]*$\", \"maxLength\": %d},\n"
@@ -298,10 +294,9 @@ static void put_top(Text *out)
 
 static void put_outermost(Text *out)
 {
+    describe_open_key(out, "defs", KEY_defs);
     text_put(
         out,
-        "    \"defs\": {\n"
-        "      \"description\": \"Maps and materials to refer to by `ref:`.\",\n"
         "      \"type\": [\"object\", \"null\"],\n"
         "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}, "
         "{\"$ref\": \"#/$defs/definition\"}]}\n"
@@ -313,12 +308,11 @@ static void put_outermost(Text *out)
         "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}, "
         "{\"$ref\": \"#/$defs/definition\"}, {\"$ref\": \"#/$defs/scene_object\"}]}\n"
         "    },\n"
-        "    \"include\": {\n"
-        "      \"description\": \"Files whose `defs:` count here too.\",\n"
-        "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n"
-        "    },\n"
-        "    \"colors\": {\n"
-        "      \"description\": \"What colours and pictures of this file are: linear light, or sRGB.\",\n"
+        );
+    describe_open_key(out, "include", KEY_include);
+    text_put(out, "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n    },\n");
+    describe_open_key(out, "colors", KEY_colors);
+    text_put(out,
         "      \"enum\": [\"linear\", \"srgb\", null], \"default\": \"linear\"\n"
         "    },\n"
         "    \"definitions\": {\n"
@@ -335,9 +329,8 @@ static void put_outermost(Text *out)
 
 static void put_materials_document(Text *out)
 {
+    describe_open_key(out, "materialsDocument", KEY_materials);
     text_format(out,
-                "    \"materialsDocument\": {\n"
-                "      \"description\": \"Several materials in a file.\",\n"
                 "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
                 "      \"properties\": {\n"
                 "        \"materials\": {\n"
@@ -368,8 +361,16 @@ char *describe_document_schema(const char *ref, const char *document)
     put_top(&out);
     text_put(&out, "  \"$defs\": {\n");
     text_put(&out, parameter_definitions);
-    text_format(&out, "    \"ref\": %s,\n    \"refDocument\": %s,\n", ref ? ref : any_ref,
-                document ? document : any_ref_document);
+    describe_open_key(&out, "definition", KEY_params);
+    text_put(&out, definition_properties);
+    if (ref) {
+        text_format(&out, "    \"ref\": %s,\n", ref);
+    } else {
+        describe_open_key(&out, "ref", KEY_ref);
+        text_put(&out, any_ref);
+    }
+    text_format(&out, "    \"refDocument\": %s,\n", document ? document : any_ref_document);
+    describe_open_key(&out, "param", KEY_param);
     text_format(&out, fixed_definitions, LIMIT_NAME);
     text_put(
         &out,

@@ -1,4 +1,5 @@
 /* What the value of a parameter must be, in the schema of documents. */
+#include "compiler/base/json_write.h"
 #include "compiler/describe/describe.h"
 #include <math.h>
 
@@ -30,9 +31,18 @@ static void put_limits(Text *out, const ParamRow *param)
     text_plain(out, param->high);
 }
 
+void describe_open_key(Text *out, const char *name, Key key)
+{
+    text_format(out, "    \"%s\": {\n      \"description\": ", name);
+    json_string(out, key_table[key].doc);
+    text_put(out, ",\n");
+}
+
 void describe_value(Text *out, const ParamRow *param)
 {
     text_format(out, "\"$ref\": \"#/$defs/%s\"", definition_of(param));
+    if (param->kind != KIND_COUNT && param_is_number((int)(param - param_table)))
+        text_put(out, ", \"not\": {\"type\": \"array\"}");
     if (isfinite(param->low)) {
         put_limits(out, param);
         text_put(out, ", \"properties\": {\"default\": {\"type\": \"number\"");

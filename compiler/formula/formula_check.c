@@ -28,6 +28,13 @@ static const char *width_text(int width)
     return width < 0 ? "something" : words[width];
 }
 
+/* What has so many lanes. */
+static const char *holder_text(int width)
+{
+    static const char *const words[] = {"a condition", "a number", "a value of two lanes", "a value of three lanes", "a value of four lanes"};
+    return width < 0 ? "something" : words[width];
+}
+
 static const char *lane_names(int width)
 {
     static const char *const names[] = {"xyzw, rgba or uvw", "x, r or u", "xy, rg or uv", "xyz, rgb or uvw"};
@@ -198,7 +205,7 @@ static int check_lanes(Check *c, const FormulaStep *step)
     for (int i = 0; i < step->width; i++)
         if (width < 1 || (step->row >> 2 * i & 3) >= width) {
             const char *letters = arena_string(c->session->arena, c->s->text + step->start, (size_t)size);
-            diag_add(c->session, span_of(c, step), DIAG_formula_lanes, letters + (*letters == '.'), width_text(width),
+            diag_add(c->session, span_of(c, step), DIAG_formula_lanes, holder_text(width), letters + (*letters == '.'),
                      lane_names(width));
             return fail(c);
         }

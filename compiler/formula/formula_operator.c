@@ -31,7 +31,7 @@ static void read_lanes(FormulaReader *r)
     FormulaStep step = {.kind = FORMULA_lanes, .start = start, .end = r->token.end, .width = (int8_t)strlen(letters)};
     if (!*letters || r->token.start != start + 1 || !is_swizzle(letters)) {
         r->faults++;
-        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_lanes, letters, "a value",
+        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_lanes, "a value", letters,
                  "xyzw, rgba or uvw");
         step = (FormulaStep){.kind = FORMULA_fault, .start = start, .end = start + 1};
     }
@@ -53,9 +53,8 @@ static void read_index(FormulaReader *r)
     if (index.kind != TOKEN_number || !formula_is(r, "]") || index.number != (int)index.number || index.number < 0 ||
         index.number >= FORMULA_MOST_LANES) {
         r->faults++;
-        diag_add(r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes,
-                 arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)), "a value",
-                 "xyzw, rgba or uvw");
+        diag_add(r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes, "a value",
+                 arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)), "xyzw, rgba or uvw");
         step.kind = FORMULA_fault;
     } else {
         step.row = index.number;
