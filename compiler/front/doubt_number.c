@@ -34,7 +34,7 @@ static void put_meant(Text *out, const UnitRow *unit, double number)
 void doubt_unit(Session *session, const char *name, const UnitRow *unit, const Value *value)
 {
     double number;
-    if (!unit || !lane_of(value, &number) || (number >= unit->low && number <= unit->high))
+    if (!unit || unit == &unit_table[UNIT_gloss] || !lane_of(value, &number) || (number >= unit->low && number <= unit->high))
         return;
     Text is = text_new(session->arena), low = text_new(session->arena), high = text_new(session->arena);
     Text meant = text_new(session->arena);
@@ -50,7 +50,8 @@ void doubt_unit(Session *session, const char *name, const UnitRow *unit, const V
 void doubt_units(Session *session, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
-    for (int i = 0; i < row->count; i++)
+    const bool made = node->written && node->written != node->kind; /* of another model's numbers, which were looked at as such */
+    for (int i = 0; i < row->count && !made; i++)
         doubt_unit(session, node_written_param(node, i), unit_of(row->first + i), &node->params[i]);
 }
 

@@ -4,6 +4,7 @@
  *     material: glTF, roughnessFactor: 0.5, metallicRoughnessTexture: { map: ImageMap, image: mr.png }
  *     becomes    roughness: { map: Expression, is: roughnessFactor * metallicRoughnessTexture.g, with: { the two } }, and so on */
 #include "compiler/formula/formula.h"
+#include "compiler/front/doubt.h"
 #include "compiler/front/resolve.h"
 #include "grammar/translation_tables.h"
 #include <float.h>
@@ -265,6 +266,7 @@ const Node *resolve_translate(Resolver *r, Node of)
             *value = as_number(*value);
         fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;
     }
+    doubt_units(r->session, &of); /* by the units that the author knows */
     say_losses(&s);
     of.written = of.kind;
     of.kind = KIND_Principled;
