@@ -62,6 +62,12 @@ within "a change of no consequence" sh -c '[ $(grep -c "watching" log) -ge 6 ]'
 stop
 
 printf 'material: Phong\ndiffuse: red\n' >b.yaml
+start b.yaml -o b.frag
+within "one file is one" says 'watching 1 file$'
+printf 'include: palette.yaml\nmaterial: Phong\ndiffuse: red\n' >b.yaml
+within "two are files" says 'watching 2 files$'
+stop
+printf 'material: Phong\ndiffuse: red\n' >b.yaml
 printf 'a.yaml\n' >list.txt
 start -d out @list.txt
 within "-d writes" test -s out/manifest.json
