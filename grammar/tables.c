@@ -86,6 +86,24 @@ bool param_is_colored(int param)
     }
 }
 
+static bool says_number(int param)
+{
+    switch (param) {
+#define NUMBER(kind, name) case P_##kind##_##name:
+#include "materials.def"
+#include "maps.def"
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool param_is_number(int param)
+{
+    const ParamRow *row = &param_table[param];
+    return row->type == PARAM_Map && ((row->lanes == 1 && !param_is_colored(param)) || says_number(param));
+}
+
 bool param_is_unstored(int param)
 {
     switch (param) {

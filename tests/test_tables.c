@@ -322,10 +322,45 @@ static void units_hold_defaults(void **state)
         if (*unit->other)
             assert_true(unit->factor > 0 && unit->factor < 1);
     }
-    assert_true(measured > 30);
+    assert_true(measured > 130);
     assert_true(unit_of(P_Principled_baseColor) == NULL);
     assert_string_equal(unit_of(P_Principled_filmThickness)->name, "micrometres");
     assert_true(fabs(unit_table[UNIT_radians].high - 2 * acos(-1)) < 1e-12);
+}
+
+/* The line of the table of docs/semantics.md that begins so has the parameter. */
+static bool tells(const char *page, const char *head, const char *param)
+{
+    char quoted[64];
+    const char *line = strstr(page, head), *end = line ? strchr(line + 1, '\n') : NULL;
+    snprintf(quoted, sizeof quoted, "`%s`", param);
+    const char *found = line ? strstr(line, quoted) : NULL;
+    return found && end && found < end;
+}
+
+/* Every parameter that is one number all over, and why. */
+static void plain_numbers_have_a_reason(void **state)
+{
+    (void)state;
+    enum { LONGEST_PAGE = 1 << 20 };
+    static char page[LONGEST_PAGE];
+    FILE *file = fopen("docs/semantics.md", "rb");
+    assert_non_null(file);
+    page[fread(page, 1, LONGEST_PAGE - 1, file)] = 0;
+    fclose(file);
+    int plain = 0;
+    for (int i = 0; i < PARAM_COUNT; i++) {
+        const ParamRow *row = &param_table[i];
+        char head[64];
+        snprintf(head, sizeof head, "\n| `%s` |", kind_table[row->kind].name);
+        const bool wave = !strcmp(row->name, "frequency") || !strcmp(row->name, "phase");
+        if (row->type != PARAM_Float)
+            continue;
+        plain++;
+        if (!tells(page, head, row->name) && !tells(page, wave ? "\n| every volume map" : "\n| every material |", row->name))
+            fail_msg("%s.%s is a number, and docs/semantics.md does not say why", kind_table[row->kind].name, row->name);
+    }
+    assert_true(plain > 50);
 }
 
 int main(void)
@@ -337,6 +372,7 @@ int main(void)
         cmocka_unit_test(every_wave_is_known),   cmocka_unit_test(every_alias_and_preset_is_known),
         cmocka_unit_test(foreign_names_lead_to_ours), cmocka_unit_test(foreign_names_are_not_ours),
         cmocka_unit_test(units_hold_defaults),
+        cmocka_unit_test(plain_numbers_have_a_reason),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,6 +42,8 @@ extern const DiagRow diag_table[DIAG_COUNT];
 
 /* The message of a kind, its format's arguments being these. Of names and texts of the document it has the first LIMIT_QUOTE bytes. */
 void diag_message(Text *out, DiagKind kind, va_list args);
+/* Puts what has been said in the order of files and lines, a note behind what it is of; what is in no file comes last. */
+void diag_sort(DiagList *diags);
 /* gcc's form, with the source line and a caret. */
 void diag_print(Text *out, const Diag *diag, const Source *sources);
 /* What a program says of a file or an option: "matc: error: what: why", or an array of one object whose kind is "run" and whose subject

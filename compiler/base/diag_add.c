@@ -48,6 +48,35 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
     return NULL;
 }
 
+/* Where the one that a note is of stands: itself, of another. */
+static size_t head_of(const DiagList *diags, size_t i)
+{
+    while (i > 0 && diags->at[i].severity == SEVERITY_note)
+        i--;
+    return i;
+}
+
+static bool comes_before(const Diag *a, const Diag *b)
+{
+    return a->span.file != b->span.file ? a->span.file < b->span.file : a->span.start < b->span.start;
+}
+
+/* There are MOST_DIAGS at most: every one, with its notes, goes down to its place. */
+void diag_sort(DiagList *diags)
+{
+    Diag moved[MOST_DIAGS];
+    for (size_t i = 0, end; i < diags->count; i = end) {
+        for (end = i + 1; end < diags->count && diags->at[end].severity == SEVERITY_note;)
+            end++;
+        size_t to = i;
+        while (to > 0 && comes_before(&diags->at[i], &diags->at[head_of(diags, to - 1)]))
+            to = head_of(diags, to - 1);
+        memcpy(moved, &diags->at[i], (end - i) * sizeof *moved);
+        memmove(&diags->at[to + end - i], &diags->at[to], (i - to) * sizeof *moved);
+        memcpy(&diags->at[to], moved, (end - i) * sizeof *moved);
+    }
+}
+
 const char *diag_all(Session *session, MatcForm form)
 {
     Text out = text_new(session->arena);

@@ -69,8 +69,21 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
 
 static const char *param_name(const void *kind, int i) { return param_table[((const KindRow *)kind)->first + i].name; }
 
+/* Several numbers where one is read; one in brackets is told of by itself. A param may have more, of which other places read all. */
+static bool say_list(Resolver *r, const ParamRow *row, const Tree *tree)
+{
+    double number;
+    if (tree->kind != TREE_list || !param_is_number((int)(row - param_table)) ||
+        (tree->count == 1 && tree_number(tree->items[0], &number)))
+        return false;
+    diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "one number or a map", tree_describe(r->session, tree));
+    return true;
+}
+
 static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
+    if (row->type == PARAM_Map && say_list(r, row, tree))
+        return false;
     bool fault = false;
     const char *outer = r->param;
     r->param = row->name;

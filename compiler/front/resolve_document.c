@@ -260,5 +260,6 @@ Graph *resolve(Session *session, Tree *document)
     graph->models = ARENA_ARRAY(session->arena, unsigned, graph->node_count);
     graph_find_models(graph, r.nodes, r.named_count);
     doubt_graph(session, graph, r.nodes, r.named_count);
+    diag_sort(&session->diags); /* doubts come by nodes, and are told by lines */
     return session->diags.errors ? NULL : graph;
 }

@@ -207,7 +207,7 @@ void main() {
     // arithmeticVaries.yaml:26 Remap
     float emissive_remap_1 = 0.75 - emissive_expression;
     bool emissive_remap_2 = abs(emissive_remap_1) < 1e-30;
-    vec3 emissive_remap = (vec3(uv.x, uv.y, localPosition.x) - emissive_expression) * ((emissive_remap_2 ? 0.0 : 0.7) / (emissive_remap_2 ? 1.0 : emissive_remap_1));
+    vec3 emissive_remap = (vec3(uv.x, uv.y, localPosition.x) - emissive_expression) * ((emissive_remap_2 ? 0.0 : 0.6901961) / (emissive_remap_2 ? 1.0 : emissive_remap_1));
     // arithmeticVaries.yaml:25 Expression
     float emissive_expression2 = (uv.x - 0.3) * 40.0 + localPosition.x;
     // arithmeticVaries.yaml:24 Power
@@ -216,21 +216,23 @@ void main() {
     vec3 emissive_power = min(pow(max(min(vec3(emissive_power_2), emissive_remap), 1e-37), vec3(emissive_power_1)), 1e+37);
     // arithmeticVaries.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    // arithmeticVaries.yaml:7 Expression
+    float expression_1 = sin(uv.y);
     // arithmeticVaries.yaml:8 Expression
-    float expression = uv.y + 1.5 + uv.x;
+    float expression2_1 = cos(uv.x);
     // arithmeticVaries.yaml:10 Expression
-    float expression2 = uv.x + 1.0;
+    float expression3_1 = sin(uv.x);
     // arithmeticVaries.yaml:10 Expression
-    float expression3 = uv.y * 0.5;
+    float expression4 = expression3_1 * 0.5 + 1.0;
+    // arithmeticVaries.yaml:10 Expression
+    float expression5_1 = cos(uv.y);
+    float expression5 = expression5_1 * 0.5;
     // arithmeticVaries.yaml:10 Contrast
-    float contrast_1 = uv.y * uv.x - expression3;
-    float contrast = contrast_1 * expression2 + expression3;
+    float contrast_1 = expression3_1 * expression_1 - expression5;
+    float contrast = contrast_1 * expression4 + expression5;
     // arithmeticVaries.yaml:6 Remap
-    float remap = expression - (uv.y - 1.0);
-    bool remap_2 = abs(remap) < 1e-30;
-    float remap_3 = remap_2 ? 1.0 : remap;
-    float remap_4 = (remap_2 ? 0.0 : contrast - 0.1) / remap_3;
-    float remap_5 = 1.0 - uv.y + dot(localPosition, vec3(0.3, 0.2, 0.1));
+    float remap = expression2_1 + 1.5 - (expression_1 - 1.5);
+    float remap_2 = 1.5 - expression_1 + dot(localPosition, vec3(0.3, 0.2, 0.1));
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     uint surface_bits = rootBits(diffuse.x, 7) | rootBits(diffuse.y, 7) << 7 | rootBits(diffuse.z, 7) << 14;
     // arithmeticVaries.yaml:21 Expression
@@ -242,11 +244,14 @@ void main() {
     float specular_clamped = min(max(specular_checker, diffuse_leopard), specular_expression);
     uint specular_bits = rootBits(specular_clamped, 6);
     uint surface_bits2 = specular_bits | specular_bits << 6 | rootBits(transparency.y, 5) << 12 | rootBits(transparency.z, 5) << 17;
-    float remap_6 = ((remap_2 ? 0.0 : expression2 * uv.y + contrast_1) - (remap_2 ? 0.0 : 1.0) * remap_4) / remap_3;
-    float remap_7 = (remap_2 ? 0.0 : (uv.x - 0.5) * expression2 + 0.5) / remap_3 * remap_5 + (dot(localTangentV, vec3(0.3, 0.2, 0.1)) - 1.0) * remap_4;
-    vec3 bumpMap_3 = (remap_6 * remap_5 + dot(localTangentU, vec3(0.3, 0.2, 0.1)) * remap_4) * 0.02 * worldTangentV - remap_7 * 0.02 * worldTangentU;
-    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
+    float expression5_2 = -expression_1 * 0.5;
+    float remap_3 = (contrast - 0.1) / remap;
+    float remap_4 = expression2_1 * 0.5 * contrast_1 + expression2_1 * expression_1 * expression4 - remap_3 * -expression3_1;
+    float remap_5 = (expression5_1 * expression3_1 - expression5_2) * expression4 + expression5_2 - remap_3 * -expression5_1;
+    float bumpMap_3 = (remap_5 / remap * remap_2 + remap_3 * (dot(localTangentV, vec3(0.3, 0.2, 0.1)) - expression5_1)) * 0.02;
+    vec3 bumpMap_4 = (remap_4 / remap * remap_2 + remap_3 * dot(localTangentU, vec3(0.3, 0.2, 0.1))) * 0.02 * worldTangentV;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_4 - bumpMap_3 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, sharedExponentBits(emissive_power, 5), surface_bits | specular_bits << 21 | rootBits(transparency.x, 5) << 27, surface_bits2 | 645922816u);
     fragment0 = surface_bits3;

@@ -199,9 +199,9 @@ static void put_value(Generator *g, const ParamRow *row)
     case PARAM_Map:
         if (g->relief && is_place(row))
             put_transformer(g);
-        else if (isfinite(row->low) && (g->left <= 0 || chance(g->c, 1, 2)))
+        else if (param_is_number((int)(row - param_table)) && (g->left <= 0 || chance(g->c, 1, 4)))
             put_numeric(g, row);
-        else if (isfinite(row->low))
+        else if (param_is_number((int)(row - param_table)))
             put_map(g);
         else
             map_value(g);
