@@ -129,9 +129,7 @@ enum {
 };
 extern const ParamRow param_table[PARAM_COUNT];
 /* Whether the colour of a map or material is made of that of this parameter's map. */
-bool param_is_colored(int param);
-/* A map of which one number is read, its red. */
-bool param_is_number(int param);
+bool param_is_colored(int param), param_is_number(int param); /* number: a map of which one is read, its red */
 /* Whether no slot holds what this parameter says, by the UNSTORED lines of materials.def. */
 bool param_is_unstored(int param);
 /* What becomes of it where a weight is not 0, by the PARTED lines; NULL: no such line. */

@@ -199,12 +199,10 @@ static void put_value(Generator *g, const ParamRow *row)
     case PARAM_Map:
         if (g->relief && is_place(row))
             put_transformer(g);
-        else if (param_is_number((int)(row - param_table)) && (g->left <= 0 || chance(g->c, 1, 4)))
-            put_numeric(g, row);
-        else if (param_is_number((int)(row - param_table)))
-            put_map(g);
-        else
+        else if (!param_is_number((int)(row - param_table)))
             map_value(g);
+        else
+            g->left <= 0 || chance(g->c, 1, 4) ? put_numeric(g, row) : put_map(g);
         break;
     case PARAM_Bool:
         text_put(g->out, chance(g->c, 1, 2) ? "true" : "false");
@@ -222,10 +220,7 @@ static void put_value(Generator *g, const ParamRow *row)
         put_items(g, row->type == PARAM_List);
         break;
     default:
-        if (param_is_word(row))
-            put_word(g, row);
-        else
-            put_numeric(g, row);
+        param_is_word(row) ? put_word(g, row) : put_numeric(g, row);
     }
 }
 
