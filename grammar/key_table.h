@@ -3,12 +3,12 @@
 #define MATC_KEY_TABLE_H
 
 typedef enum {
-#define KEY(name, where, doc, example) KEY_##name,
+#define KEY(name, where, doc, example) DOCUMENT_KEY_##name,
 #include "keys.def"
-    KEY_COUNT
-} Key;
+    DOCUMENT_KEY_COUNT
+} DocumentKey;
 typedef struct {
     const char *name, *where, *doc, *example;
 } KeyRow;
-extern const KeyRow key_table[KEY_COUNT];
+extern const KeyRow key_table[DOCUMENT_KEY_COUNT];
 #endif

@@ -89,7 +89,7 @@ bool param_is_colored(int param)
 static bool says_number(int param)
 {
     switch (param) {
-#define NUMBER(kind, name) case P_##kind##_##name:
+#define RED_ALONE(kind, name) case P_##kind##_##name:
 #include "materials.def"
 #include "maps.def"
         return true;

@@ -42,7 +42,7 @@ void describe_layout(Text *out, const LayoutRow *layout);
  * words.def there. describe_value.c */
 void describe_value(Text *out, const ParamRow *param);
 /* "name": { "description": what keys.def says, and the definition goes on. describe_value.c */
-void describe_open_key(Text *out, const char *name, Key key);
+void describe_open_key(Text *out, const char *name, DocumentKey key);
 const char *describe_word_list(ParamKind list);
 /* The page of a scene's kind, and of a sort. describe_scene.c */
 void describe_scene_kind(Text *out, SceneKind kind);

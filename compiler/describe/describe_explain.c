@@ -199,7 +199,7 @@ static void explain_color_spaces(const Query *q)
 
 static void explain_keys(const Query *q)
 {
-    for (int i = 0; i < KEY_COUNT; i++) {
+    for (int i = 0; i < DOCUMENT_KEY_COUNT; i++) {
         const KeyRow *row = &key_table[i];
         if (begins(q, row->name))
             text_format(q->out, "%s (key %s)\n%s\n\nExample\n%s", row->name, row->where, row->doc, row->example);

@@ -294,7 +294,7 @@ static void put_top(Text *out)
 
 static void put_outermost(Text *out)
 {
-    describe_open_key(out, "defs", KEY_defs);
+    describe_open_key(out, "defs", DOCUMENT_KEY_defs);
     text_put(
         out,
         "      \"type\": [\"object\", \"null\"],\n"
@@ -309,9 +309,9 @@ static void put_outermost(Text *out)
         "{\"$ref\": \"#/$defs/definition\"}, {\"$ref\": \"#/$defs/scene_object\"}]}\n"
         "    },\n"
         );
-    describe_open_key(out, "include", KEY_include);
+    describe_open_key(out, "include", DOCUMENT_KEY_include);
     text_put(out, "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n    },\n");
-    describe_open_key(out, "colors", KEY_colors);
+    describe_open_key(out, "colors", DOCUMENT_KEY_colors);
     text_put(out,
         "      \"enum\": [\"linear\", \"srgb\", null], \"default\": \"linear\"\n"
         "    },\n"
@@ -329,7 +329,7 @@ static void put_outermost(Text *out)
 
 static void put_materials_document(Text *out)
 {
-    describe_open_key(out, "materialsDocument", KEY_materials);
+    describe_open_key(out, "materialsDocument", DOCUMENT_KEY_materials);
     text_format(out,
                 "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
                 "      \"properties\": {\n"
@@ -361,16 +361,16 @@ char *describe_document_schema(const char *ref, const char *document)
     put_top(&out);
     text_put(&out, "  \"$defs\": {\n");
     text_put(&out, parameter_definitions);
-    describe_open_key(&out, "definition", KEY_params);
+    describe_open_key(&out, "definition", DOCUMENT_KEY_params);
     text_put(&out, definition_properties);
     if (ref) {
         text_format(&out, "    \"ref\": %s,\n", ref);
     } else {
-        describe_open_key(&out, "ref", KEY_ref);
+        describe_open_key(&out, "ref", DOCUMENT_KEY_ref);
         text_put(&out, any_ref);
     }
     text_format(&out, "    \"refDocument\": %s,\n", document ? document : any_ref_document);
-    describe_open_key(&out, "param", KEY_param);
+    describe_open_key(&out, "param", DOCUMENT_KEY_param);
     text_format(&out, fixed_definitions, LIMIT_NAME);
     text_put(
         &out,

@@ -31,7 +31,7 @@ static void put_limits(Text *out, const ParamRow *param)
     text_plain(out, param->high);
 }
 
-void describe_open_key(Text *out, const char *name, Key key)
+void describe_open_key(Text *out, const char *name, DocumentKey key)
 {
     text_format(out, "    \"%s\": {\n      \"description\": ", name);
     json_string(out, key_table[key].doc);

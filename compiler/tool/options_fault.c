@@ -45,15 +45,15 @@ static const char *explained_name(const void *user, int i)
     if (i < SLOT_COUNT)
         return slot_table[i].name;
     i -= SLOT_COUNT;
-    if (i < KEY_COUNT)
+    if (i < DOCUMENT_KEY_COUNT)
         return key_table[i].name;
-    i -= KEY_COUNT;
+    i -= DOCUMENT_KEY_COUNT;
     return i < LAYOUT_COUNT ? layout_table[i].name : diag_table[i - LAYOUT_COUNT].name;
 }
 
 const char *options_fault_explain(Arena *arena, const char *name)
 {
-    enum { NAMES = KIND_COUNT + WAVE_COUNT + CHOICE_COUNT + SLOT_COUNT + KEY_COUNT + LAYOUT_COUNT + DIAG_COUNT };
+    enum { NAMES = KIND_COUNT + WAVE_COUNT + CHOICE_COUNT + SLOT_COUNT + DOCUMENT_KEY_COUNT + LAYOUT_COUNT + DIAG_COUNT };
     Text out = text_new(arena);
     text_format(&out, "--explain: nothing is called '%s'%s", name, suggest(arena, name, explained_name, NULL, NAMES));
     return out.at;

@@ -253,6 +253,5 @@ void main() {
     vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_4 - bumpMap_3 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, sharedExponentBits(emissive_power, 5), surface_bits | specular_bits << 21 | rootBits(transparency.x, 5) << 27, surface_bits2 | 645922816u);
-    fragment0 = surface_bits3;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, sharedExponentBits(emissive_power, 5), surface_bits | specular_bits << 21 | rootBits(transparency.x, 5) << 27, surface_bits2 | 645922816u);
 }

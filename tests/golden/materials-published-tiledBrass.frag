@@ -59,6 +59,5 @@ void main() {
     // published.yaml:45 rough
     vec4 rough = imageCentred(imageTexture0, uv);
     uint surface_bits = unormBits(rough.x, 6) << 6 | rootBits(rough.x, 5) << 17 | rootBits(rough.y, 5) << 22;
-    uvec4 surface_bits2 = uvec4(surface_bits | rootBits(rough.z, 5) << 27 | 24588u, unormBits(rough.x, 8) << 24 | 16515072u, octahedralBits(normal, 12) | 3825205248u, 2256528612u);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(surface_bits | rootBits(rough.z, 5) << 27 | 24588u, unormBits(rough.x, 8) << 24 | 16515072u, octahedralBits(normal, 12) | 3825205248u, 2256528612u);
 }
