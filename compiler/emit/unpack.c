@@ -202,17 +202,37 @@ static void put_fetching(Text *out, const Job *job)
     text_put(out, ");\n}\n");
 }
 
-/* The pieces of a case, then the slots that it leaves out. */
-static void put_case(Text *out, const Job *job, int number, const char *indent)
+static bool leaves_out(const Job *job, int number, Slot slot)
+{
+    return comes_back(job, slot) && !layout_case_has_slot(&job->layout->cases[number], slot);
+}
+
+/* The pieces of a case, then the slots that it leaves out; of `several` cases those alone that it says itself. */
+static void put_case(Text *out, const Job *job, int number, bool several)
 {
     const LayoutRow *layout = job->layout;
+    const CaseRow *row = &layout->cases[number];
+    const char *indent = several ? "        " : "    ";
     Placement placement;
     layout_allocate(layout, number, &placement); /* lowering has told what does not fit */
     for (int i = 0; i < placement.count; i++)
         put_piece(out, layout, &placement.pieces[i], indent, i);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (comes_back(job, (Slot)slot) && !layout_case_has_slot(&layout->cases[number], (Slot)slot))
-            put_known(out, layout, &layout->cases[number], (Slot)slot, indent);
+        if (leaves_out(job, number, (Slot)slot) && (!several || layout_case_fixed(row, (Slot)slot)))
+            put_known(out, layout, row, (Slot)slot, indent);
+}
+
+/* What slots are in cases that leave them out: said once, before it is known which case it is. */
+static void put_left_out(Text *out, const Job *job)
+{
+    static const CaseRow none = {0};
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        for (int i = 0; i <= last_taken(job); i++)
+            if (takes(job, i) && leaves_out(job, i, (Slot)slot) &&
+                !layout_case_fixed(&job->layout->cases[i], (Slot)slot)) {
+                put_known(out, job->layout, &none, (Slot)slot, "    ");
+                break;
+            }
 }
 
 /* Which case it is. */
@@ -243,9 +263,10 @@ static void put_cases(Text *out, const Job *job)
 {
     const int last = last_taken(job);
     if (first_taken(job) == last) {
-        put_case(out, job, last, "    ");
+        put_case(out, job, last, false);
         return;
     }
+    put_left_out(out, job);
     put_number(out, job->layout);
     for (int i = 0; i <= last; i++) {
         if (!takes(job, i))
@@ -253,7 +274,7 @@ static void put_cases(Text *out, const Job *job)
         if (i < last)
             text_format(out, "if (number == %du) ", i);
         text_put(out, "{\n");
-        put_case(out, job, i, "        ");
+        put_case(out, job, i, true);
         text_put(out, i < last ? "    } else " : "    }\n");
     }
 }

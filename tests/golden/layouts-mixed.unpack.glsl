@@ -75,6 +75,15 @@ vec3 sharedExponentFromBits(uint code, int bits) {
 
 Surface unpackTexels(uvec4 target0) {
     Surface surface;
+    surface.specular = vec3(0.0);
+    surface.shininess = 4.0;
+    surface.transparency = vec3(0.0);
+    surface.transparencyShininess = 65504.0;
+    surface.interpolatedTransparency = 1.0;
+    surface.diffuseTransparency = vec3(0.0);
+    surface.ambient = vec3(0.0);
+    surface.emissive = vec3(0.0);
+    surface.ior = 1.0;
     uint number = target0.x & 3u;
     if (number == 0u) {
         surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
@@ -88,12 +97,6 @@ Surface unpackTexels(uvec4 target0) {
         surface.diffuseTransparency.x = rootFromBits(target0.w & 255u, 8);
         surface.diffuseTransparency.y = rootFromBits(target0.w >> 8 & 255u, 8);
         surface.diffuseTransparency.z = rootFromBits(target0.w >> 16 & 255u, 8);
-        surface.transparency = vec3(0.0);
-        surface.transparencyShininess = 65504.0;
-        surface.interpolatedTransparency = 1.0;
-        surface.ambient = vec3(0.0);
-        surface.emissive = vec3(0.0);
-        surface.ior = 1.0;
     } else if (number == 1u) {
         surface.emissive = sharedExponentFromBits(target0.x >> 2 & 67108863u, 7);
         surface.normal = octahedralFromBits(target0.y & 16777215u, 12);
@@ -104,12 +107,6 @@ Surface unpackTexels(uvec4 target0) {
         surface.specular.x = rootFromBits(target0.w & 255u, 8);
         surface.specular.y = rootFromBits(target0.w >> 8 & 255u, 8);
         surface.specular.z = rootFromBits(target0.w >> 16 & 255u, 8);
-        surface.transparency = vec3(0.0);
-        surface.transparencyShininess = 65504.0;
-        surface.interpolatedTransparency = 1.0;
-        surface.diffuseTransparency = vec3(0.0);
-        surface.ambient = vec3(0.0);
-        surface.ior = 1.0;
     } else if (number == 2u) {
         surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
         surface.transparencyShininess = logarithmFromBits(target0.y & 1023u, 10);
@@ -123,11 +120,6 @@ Surface unpackTexels(uvec4 target0) {
         surface.ambient.x = rootFromBits(target0.w >> 8 & 127u, 7) * 0.2;
         surface.ambient.y = rootFromBits(target0.w >> 15 & 127u, 7) * 0.2;
         surface.ambient.z = rootFromBits(target0.w >> 22 & 127u, 7) * 0.2;
-        surface.specular = vec3(0.0);
-        surface.shininess = 4.0;
-        surface.interpolatedTransparency = 1.0;
-        surface.diffuseTransparency = vec3(0.0);
-        surface.emissive = vec3(0.0);
     } else {
         surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
         surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
@@ -142,10 +134,6 @@ Surface unpackTexels(uvec4 target0) {
         surface.transparency.y = rootFromBits(target0.w >> 16 & 255u, 8);
         surface.transparency.z = rootFromBits(target0.w >> 24, 8);
         surface.interpolatedTransparency = unormFromBits(target0.x >> 26 & 1u, 1);
-        surface.transparencyShininess = 65504.0;
-        surface.diffuseTransparency = vec3(0.0);
-        surface.ambient = vec3(0.0);
-        surface.emissive = vec3(0.0);
     }
     return surface;
 }
