@@ -82,10 +82,13 @@ static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
 static Ref share_of_second(Lower *l, Answer mask, int depth)
 {
     Ir *ir = l->ir;
-    if (mask.split && depth > 0)
-        return answer_mean(l, mask.split->by, share_of_second(l, mask.split->a, depth - 1),
-                           share_of_second(l, mask.split->b, depth - 1));
-    return build_clamp(ir, build_swizzle(ir, mask.value, "x"), build_float(ir, 0), build_float(ir, 1));
+    const Split *split = mask.split;
+    if (split && depth > 0) {
+        Ref a = share_of_second(l, split->a, depth - 1), b = share_of_second(l, split->b, depth - 1);
+        return answer_mean(l, split->by, a, b);
+    }
+    Ref red = build_swizzle(ir, mask.value, "x"), zero = build_float(ir, 0), one = build_float(ir, 1);
+    return build_clamp(ir, red, zero, one);
 }
 
 /* By a mask that is one of two within the pixel: the mean of both. */
@@ -143,7 +146,8 @@ static Ref mix_of(Lower *l, const Node *m, Slot slot, const Env *env)
     const Node *a = lower_param_node(m, P_MixMaterial_a), *b = lower_param_node(m, P_MixMaterial_b);
     if (l->cheap && known && (*known <= 0 || *known >= 1))
         return side_of_mix(l, m, *known <= 0 ? a : b, slot, env);
-    const MixedSide sides[] = {{m, a, build_lt(ir, t, one)}, {m, b, build_lt(ir, zero, t)}};
+    const Ref first_shows = build_lt(ir, t, one), second_shows = build_lt(ir, zero, t);
+    const MixedSide sides[] = {{m, a, first_shows}, {m, b, second_shows}};
     Ref first = side_value(l, &sides[0], slot, env), second = side_value(l, &sides[1], slot, env);
     if (first == second)
         return first;

@@ -224,8 +224,9 @@ static Ref folded_octave(Lower *l, Ref p)
 {
     Ir *ir = l->ir;
     const double share = .65; /* of the mean's square in the variance: 2 / pi, of noise 0.68 and 0.63 */
-    const Ref one[] = {build_int(ir, 1), build_float(ir, 2), build_float(ir, .5)};
-    const Answer noise = area_turbulence(l, answer_of(p), one);
+    const Ref single = build_int(ir, 1), two = build_float(ir, 2), half = build_float(ir, .5);
+    const Ref one_octave[] = {single, two, half};
+    const Answer noise = area_turbulence(l, answer_of(p), one_octave);
     if (!noise.variance)
         return build_abs(ir, noise.value);
     Ref square = build_square(ir, noise.value);
