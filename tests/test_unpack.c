@@ -1,0 +1,97 @@
+/* The text that reads a whole layout back, drawn with the words of each of its cases: every slot that a case leaves out is what the case says, or what absent
+ * slots are, and no other case's. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/layout/layout.h"
+#include "compiler/matc.h"
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/pass_values.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { SIDE = 32, ROOM = 1 << 14 }; /* a column a slot, a row a case */
+
+/* first[] and last[]: a word of each case. */
+static size_t put_words(char *text, const LayoutRow *row, const char *name, int target, int lane)
+{
+    size_t size = (size_t)snprintf(text, ROOM, "const uint %s[%d] = uint[](", name, row->case_count);
+    for (int i = 0; i < row->case_count; i++)
+        size += (size_t)snprintf(text + size, ROOM - size, "%s%.0fu", i ? ", " : "",
+                                 layout_case_code(row, i, target, lane));
+    return size + (size_t)snprintf(text + size, ROOM - size, ");\n");
+}
+
+static void put_body(char text[ROOM], const LayoutRow *row)
+{
+    static const char *const fill[] = {"", ", vec3(0.0)", ", vec2(0.0)", ", 0.0", ""};
+    const int last = layout_targets(row) - 1;
+    size_t size = put_words(text, row, "first", 0, 0);
+    size += put_words(text + size, row, "last", last, 3);
+    size += (size_t)snprintf(text + size, ROOM - size,
+                             "vec4 passPixel(ivec2 p) {\n    int i = min(p.y, %d);\n    Surface s = unpackTexels(",
+                             row->case_count - 1);
+    for (int target = 0; target <= last; target++)
+        size += (size_t)snprintf(text + size, ROOM - size, "%suvec4(%s, 0u, 0u, %s)", target ? ", " : "",
+                                 target ? "0u" : "first[i]", target == last ? "last[i]" : "0u");
+    size += (size_t)snprintf(text + size, ROOM - size, ");\n");
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(row, (Slot)slot))
+            size += (size_t)snprintf(text + size, ROOM - size, "    if (p.x == %d) return vec4(s.%s%s);\n", slot,
+                                     slot_table[slot].name, fill[type_table[slot_table[slot].type].lanes]);
+    size += (size_t)snprintf(text + size, ROOM - size, "    return vec4(0.0);\n}\n");
+    assert_true(size < ROOM);
+}
+
+static void check_case(const LayoutRow *row, int number, float (*said)[4])
+{
+    const CaseRow *fields = &row->cases[number];
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        if (!layout_has_slot(row, (Slot)slot) || layout_case_has_slot(fields, (Slot)slot))
+            continue;
+        const FixedRow *own = layout_case_fixed(fields, (Slot)slot);
+        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
+            const double want = own ? own->value[lane] : slot_table[slot].absent, is = said[number * SIDE + slot][lane];
+            if (is != (float)want)
+                fail_msg("%s, case %d: %s is %g, not %g", row->name, number, slot_table[slot].name, is, want);
+        }
+    }
+}
+
+static void cases_have_what_they_leave_out(void **state)
+{
+    (void)state;
+    static const char document[] = "material: Phong\n";
+    static const Layout layouts[] = {LAYOUT_compact, LAYOUT_integer};
+    static float said[SIDE * SIDE][4];
+    static char body[ROOM];
+    GlContext *gl = frame_context();
+    for (int i = 0; i < 2; i++) {
+        const LayoutRow *row = &layout_table[layouts[i]];
+        assert_true(row->case_count > 4 && row->case_count <= SIDE && (int)SLOT_COUNT <= (int)SIDE);
+        MatcOptions options;
+        matc_options_init(&options);
+        options.layout = row->name;
+        MatcDocument *read = matc_read("test.yaml", document, strlen(document), &options);
+        MatcProgram *program = matc_compile(read, 0, MATC_UNPACK, &options);
+        assert_true(matc_ok(program));
+        put_body(body, row);
+        const ScreenPassText text = {.body = {matc_output(program, MATC_UNPACK, NULL), body}, .format = "RGBA32F"};
+        pass_values(gl, &text, SIDE, said);
+        for (int number = 0; number < row->case_count; number++)
+            check_case(row, number, said);
+        matc_program_free(program);
+        matc_document_free(read);
+    }
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cases_have_what_they_leave_out),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
