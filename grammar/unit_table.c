@@ -11,19 +11,13 @@ const UnitRow unit_table[UNIT_COUNT] = {
 #include "units.def"
 };
 
-typedef struct {
-    int param;
-    Unit unit;
-} Measure;
-static const Measure measures[] = {
-#define MEASURE(kind, param, unit) {P_##kind##_##param, UNIT_##unit},
+/* The unit of each parameter, counted from 1; 0: none. */
+static const unsigned char measures[PARAM_COUNT] = {
+#define MEASURE(kind, param, unit) [P_##kind##_##param] = UNIT_##unit + 1,
 #include "units.def"
 };
 
 const UnitRow *unit_of(int param)
 {
-    for (size_t i = 0; i < sizeof measures / sizeof *measures; i++)
-        if (measures[i].param == param)
-            return &unit_table[measures[i].unit];
-    return NULL;
+    return measures[param] ? &unit_table[measures[param] - 1] : NULL;
 }

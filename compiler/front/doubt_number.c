@@ -52,7 +52,8 @@ void doubt_units(Session *session, const Node *node)
     const KindRow *row = &kind_table[node->kind];
     const bool made = node->written && node->written != node->kind; /* of another model's numbers, which were looked at as such */
     for (int i = 0; i < row->count && !made; i++)
-        doubt_unit(session, node_written_param(node, i), unit_of(row->first + i), &node->params[i]);
+        if (unit_of(row->first + i) && node->params[i].given)
+            doubt_unit(session, node_written_param(node, i), unit_of(row->first + i), &node->params[i]);
 }
 
 /* It makes colours of a place, or is one number, and no direction. */
@@ -70,9 +71,11 @@ void doubt_normals(Session *session, const Node *material)
     for (int i = 0; i < row->count; i++) {
         const Value *value = &material->params[i];
         size_t name = 0;
+        if (value->kind != VALUE_node || !is_plain(value->node))
+            continue;
         while (name < sizeof names / sizeof *names && strcmp(names[name], param_table[row->first + i].name) != 0)
             name++;
-        if (name == sizeof names / sizeof *names || value->kind != VALUE_node || !is_plain(value->node))
+        if (name == sizeof names / sizeof *names)
             continue;
         const bool direction = name >= 2;
         diag_add(session, value->span, direction ? DIAG_plain_direction : DIAG_plain_normal,
