@@ -57,7 +57,7 @@ pack_tests() {
     for file in build-gpu/tests/test_frame build-gpu/tests/test_gl; do ldd "$file"; done | awk '$3 ~ /^\// { print $3 }' |
         grep -v -E '/(libc|libm|ld-linux[^/]*)\.so' | sort -u | while read -r library; do cp -L "$library" .device/tests/lib/; done
     pwd >.device/tests/root
-    tar cf - -C .device tests | xz -3 --lzma2=dict=64MiB >.device/tests.tar.xz
+    tar cf - -C .device tests | xz -T0 --block-size=200MiB --lzma2=preset=2,dict=64MiB >.device/tests.tar.xz
     rm -r .device/tests
     ls -l .device
 }
