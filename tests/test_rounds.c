@@ -48,15 +48,26 @@ static Ref twice(Ir *ir, Ref ref, const void *user)
     return ref == *(const Ref *)user ? build_add(ir, ref, ref) : ref;
 }
 
+/* What an IR that is made by hand stands on. */
+typedef struct {
+    MatcOptions options;
+    Session session;
+} Bench;
+
+static Ir *bench_open(Bench *bench, Arena *arena)
+{
+    matc_options_init(&bench->options);
+    bench->session = (Session){.options = &bench->options, .arena = arena};
+    return ir_new(&bench->session, NULL);
+}
+
 /* sin cos x + |x|: what is settled is not asked; but what is made anew, since an operand was, is. */
 static void a_settled_node_is_asked_when_it_is_made_anew(void **state)
 {
     (void)state;
     Arena arena = {0};
-    MatcOptions options;
-    matc_options_init(&options);
-    Session session = {.options = &options, .arena = &arena};
-    Ir *ir = ir_new(&session, NULL);
+    Bench bench;
+    Ir *ir = bench_open(&bench, &arena);
     const Ref x = build_swizzle(ir, build_input(ir, INPUT_X), "x"), a = build_cos(ir, x), other = build_abs(ir, x);
     const Ref b = build_add_of(ir, (Ref[]){build_sin(ir, a), other}), none = 0;
     ir_output(ir, OUT_depth, 0, b);
@@ -86,10 +97,8 @@ static void equal_nodes_are_one(void **state)
     enum { COUNT = 20000 };
     (void)state;
     Arena arena = {0};
-    MatcOptions options;
-    matc_options_init(&options);
-    Session session = {.options = &options, .arena = &arena};
-    Ir *ir = ir_new(&session, NULL);
+    Bench bench;
+    Ir *ir = bench_open(&bench, &arena);
     Ref *old = ARENA_ARRAY(&arena, Ref, COUNT), *sum = ARENA_ARRAY(&arena, Ref, COUNT);
     for (int i = 0; i < COUNT; i++)
         old[i] = build_float(ir, i);

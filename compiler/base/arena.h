@@ -15,7 +15,7 @@ void *arena_alloc(Arena *arena, size_t size);
 void *arena_zero(Arena *arena, size_t size);
 /* Copy of `size` bytes, with a zero byte behind. */
 char *arena_string(Arena *arena, const char *text, size_t size);
-/* `size` bytes that were allocated here, of which the first `kept` are in use, as `wanted` bytes: the newest allocation grows where it lies, others move. */
+/* Makes an allocation of `size` bytes one of `wanted`: the newest grows where it lies, any other moves, with its first `kept` bytes. */
 void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wanted);
 /* An array that has room for `count` elements of `size`, doubled when it is full; the contents move along. */
 void *arena_grow(Arena *arena, void *array, size_t count, size_t *room, size_t size);

@@ -51,9 +51,11 @@ void doubt_units(Session *session, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
     const bool made = node->written && node->written != node->kind; /* of another model's numbers, which were looked at as such */
-    for (int i = 0; i < row->count && !made; i++)
-        if (unit_of(row->first + i) && node->params[i].given)
-            doubt_unit(session, node_written_param(node, i), unit_of(row->first + i), &node->params[i]);
+    for (int i = 0; i < row->count && !made; i++) {
+        const UnitRow *unit = unit_of(row->first + i);
+        if (unit && node->params[i].given)
+            doubt_unit(session, node_written_param(node, i), unit, &node->params[i]);
+    }
 }
 
 /* It makes colours of a place, or is one number, and no direction. */
