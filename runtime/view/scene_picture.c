@@ -1,5 +1,6 @@
 /* Opens a renderer for all pictures. Tiles are drawn from the top row of them to the lowest: files begin there. */
 #include "runtime/view/scene_picture.h"
+#include "runtime/view/view_look.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,6 +8,8 @@
 struct ScenePictures {
     GlContext *gl;
     ScenePictureOptions options;
+    const Scene *scene;   /* the one that is drawn */
+    const ViewLook *look; /* of a PNG; or NULL */
     Render *render;
     float *band; /* a row of tiles, four floats a pixel; NULL: no picture was drawn yet */
     float *tile; /* what was read last, where a row has several; or NULL */
@@ -22,8 +25,10 @@ typedef struct {
     unsigned char *rgb;
 } Sink;
 
-static PictureSpec spec_of(const ScenePictureOptions *o, const Render *render)
+static PictureSpec spec_of(const ScenePictures *p)
 {
+    const ScenePictureOptions *o = &p->options;
+    const Render *render = p->render;
     const bool exr = o->format == PICTURE_FORMAT_exr;
     const char *view = o->render.view ? o->render.view : "shown";
     const bool color = is_picture(view) || !strcmp(view, "light");
@@ -36,7 +41,7 @@ static PictureSpec spec_of(const ScenePictureOptions *o, const Render *render)
                                  : !exr  ? 8
                                  : color ? 16
                                          : 32,
-                         .color = is_picture(view) || o->look};
+                         .color = is_picture(view) || o->look || (p->look && view_look_is_color(p->look))};
 }
 
 /* One tile into its place in the band, whose lowest row is the picture's row y. */
@@ -86,6 +91,8 @@ static bool draw_bands(ScenePictures *p, const Sink *sink)
                 return false;
         if (o->look)
             slot_look_show(o->look, p->band, (size_t)width * (size_t)rows);
+        if (p->look)
+            view_look_show(p->look, &p->scene->camera, p->band, (size_t)width * (size_t)rows);
         if (!write_rows(p, sink, y, rows))
             return false;
         if (o->progress && y > 0)
@@ -150,7 +157,7 @@ static bool is_maps(const ScenePictures *p)
 static bool write_picture(ScenePictures *p, const char *path, ScenePicture *picture)
 {
     const char *why;
-    const PictureSpec spec = spec_of(&p->options, p->render);
+    const PictureSpec spec = spec_of(p);
     PictureFile *file = make_band(p) ? picture_file_open(&spec, &why) : NULL;
     if (!p->band)
         return false;
@@ -200,6 +207,7 @@ static void forget_band(ScenePictures *p)
 bool scene_pictures_show(ScenePictures *p, const Scene *scene)
 {
     forget_band(p); /* its tiles may be others */
+    p->scene = scene;
     if (!render_scene(p->render, scene))
         return false;
     return !render_lacks_view(p->render) || !p->options.look ||
@@ -214,6 +222,10 @@ ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *opt
         return gl_fail(gl, "out of memory"), NULL;
     *made = (ScenePictures){.gl = gl, .options = *options};
     made->options.render.linear = exr;
+    if (!exr && !options->look) {
+        made->options.look = options->render.view ? slot_look_find(options->render.view) : NULL;
+        made->look = view_look_find(options->render.view);
+    }
     made->options.render.deep = options->bits > (exr ? 16 : 8);
     made->render = render_open(gl, &made->options.render);
     if (made->render)

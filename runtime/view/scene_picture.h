@@ -8,7 +8,7 @@
 
 typedef struct {
     RenderOptions render;
-    const SlotLook *look; /* the view is a slot, which is shown so; or NULL */
+    const SlotLook *look; /* the view is a slot, which is shown so; NULL: as the view says */
     bool stats, graph;    /* what ran, in words; of the graph alone: instead of a picture */
     PictureFormat
         format; /* PNG has the picture as it is shown, OpenEXR its linear light, before exposure and tone mapping */

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-typedef enum { COLOR, NUMBER, EXPONENT, NORMAL, RATIO } Look;
+typedef enum { COLOR, NUMBER, EXPONENT, NORMAL, RATIO, PATH } Look;
 
 struct SlotLook {
     const char *name;
@@ -38,7 +38,7 @@ static const SlotLook looks[SLOT_LOOK_COUNT] = {
     {"anisotropy", NORMAL},
     {"transmission", NUMBER},
     {"film", NUMBER},
-    {"filmPath", NUMBER},
+    {"filmPath", PATH},
     {"filmIor", RATIO},
     {"diffuseRoughness", NUMBER},
     {"coatNormal", NORMAL},
@@ -73,6 +73,8 @@ static double shown(Look look, double value)
         return log2(fmax(value, 1)) / 16; /* they reach from 1 to 2^16 */
     case RATIO:
         return value - 1;
+    case PATH:
+        return value / 5; /* at most so many micrometres: slots.def */
     default:
         return value;
     }
@@ -81,7 +83,7 @@ static double shown(Look look, double value)
 void slot_look_show(const SlotLook *look, float *rgba, size_t pixels)
 {
     const double nothing = .02;
-    const bool grey = look->look == NUMBER || look->look == EXPONENT || look->look == RATIO;
+    const bool grey = look->look == NUMBER || look->look == EXPONENT || look->look == RATIO || look->look == PATH;
     for (float *end = rgba + 4 * pixels; rgba < end; rgba += 4) {
         const double share = rgba[3];
         for (int lane = 2; lane >= 0; lane--) { /* the first one last, as all grey ones are made of it */
