@@ -198,7 +198,7 @@ static void slots_are_shown(void **state)
         {"anisotropy", "{ material: Principled, anisotropy: 0.5 }", {191.25, 127.5, 127.5}}, /* along the horizon, where the eye's x is */
         {"transmission", "{ material: Principled, transmission: 0.75 }", {191.25, 191.25, 191.25}},
         {"film", "{ material: Principled, film: 0.75 }", {191.25, 191.25, 191.25}},
-        {"filmPath", "{ material: Principled, film: 1, filmThickness: 0.125, filmIor: 2 }", {127.5, 127.5, 127.5}},
+        {"filmPath", "{ material: Principled, film: 1, filmThickness: 0.625, filmIor: 2 }", {127.5, 127.5, 127.5}}, /* 2.5 of 5 micrometers */
         {"filmIor", "{ material: Principled, film: 1, filmIor: 1.5 }", {127.5, 127.5, 127.5}},
         {"diffuseRoughness", "{ material: Principled, diffuseRoughness: 0.25 }", {63.75, 63.75, 63.75}},
         {"coatNormal", "{ material: Principled, coat: 1, input: { map: BumpMap } }", {127.5, 127.5, 255}}, /* as smooth as the sphere */
