@@ -11,7 +11,22 @@
 #include <string.h>
 
 /* A value as it is written behind a key that stands two columns in; what it is of. */
-typedef enum { SORT_number, SORT_map, SORT_material, SORT_list, SORT_none, SORT_text, SORT_truth, SORT_nothing, SORT_object } Sort;
+typedef enum {
+    SORT_number,
+    SORT_map,
+    SORT_material,
+    SORT_list,
+    SORT_none,
+    SORT_text,
+    SORT_truth,
+    SORT_nothing,
+    SORT_object,
+    SORT_gray,    /* a colour of equal lanes */
+    SORT_color,   /* a literal colour of unequal lanes */
+    SORT_name,    /* the same by its name, which is none of a formula */
+    SORT_defined, /* a definition of such a colour */
+    SORT_blend,   /* a map of such colours */
+} Sort;
 static const struct {
     Sort sort;
     const char *text;
@@ -27,8 +42,33 @@ static const struct {
               {SORT_text, "\"nonsense\""},
               {SORT_truth, "true"},
               {SORT_nothing, "null"},
-              {SORT_object, "{ sense: 1 }"}};
+              {SORT_object, "{ sense: 1 }"},
+              {SORT_gray, "\"#808080\""},
+              {SORT_color, "\"#ff8800\""},
+              {SORT_color, "\"#8888ff80\""},
+              {SORT_name, "red"},
+              {SORT_name, "srgb(orange)"},
+              {SORT_name, "{ param: t, default: red }"},
+              {SORT_defined, "{ ref: tint }"},
+              {SORT_blend, "{ map: Blend, input: { map: Granite }, blend: [{ input: red }] }"}};
 enum { VALUES = sizeof values / sizeof *values, LONGEST_DOCUMENT = 400, VALUE_LINE = 4 };
+
+/* A colour in its several forms. */
+static bool suits_color(const ParamRow *row, Sort sort)
+{
+    switch (row->type) {
+    case PARAM_Map:
+        return sort == SORT_gray || sort == SORT_blend || !param_is_number((int)(row - param_table));
+    case PARAM_Float:
+        return row->kind == KIND_Constant && sort <= SORT_name;
+    case PARAM_Vec3:
+        return sort <= SORT_name;
+    case PARAM_Formula:
+        return sort <= SORT_color;
+    default:
+        return false;
+    }
+}
 
 /* What may stand there, by the words of docs/language.md. */
 static bool suits(const ParamRow *row, Sort sort)
@@ -37,6 +77,8 @@ static bool suits(const ParamRow *row, Sort sort)
         return true;
     if (sort == SORT_number && (1 < row->low || 1 > row->high))
         return false;
+    if (sort >= SORT_gray)
+        return suits_color(row, sort);
     switch (row->type) {
     case PARAM_Map:
         return sort == SORT_number || sort == SORT_map ||
@@ -69,9 +111,9 @@ static char *errors_of(const ParamRow *row, const char *value, char text[LONGEST
 {
     const char *kind = kind_table[row->kind].name;
     if (kind_table[row->kind].lowering == LOWERING_MATERIAL)
-        snprintf(text, LONGEST_DOCUMENT, "materials:\n a:\n  material: %s\n  %s: %s\n", kind, row->name, value);
+        snprintf(text, LONGEST_DOCUMENT, "materials:\n a:\n  material: %s\n  %s: %s\ndefs: { tint: \"#ff8800\" }\n", kind, row->name, value);
     else
-        snprintf(text, LONGEST_DOCUMENT, "defs:\n a:\n  map: %s\n  %s: %s\nmaterial: Phong\ndiffuse: { ref: a }\n", kind, row->name, value);
+        snprintf(text, LONGEST_DOCUMENT, "defs:\n a:\n  map: %s\n  %s: %s\n tint: \"#ff8800\"\nmaterial: Phong\ndiffuse: { ref: a }\n", kind, row->name, value);
     MatcOptions options;
     matc_options_init(&options);
     MatcDocument *document = matc_read("case.yaml", text, strlen(text), &options);
@@ -113,6 +155,8 @@ static void wrong_kinds_are_errors_with_a_place(void **state)
             char text[LONGEST_DOCUMENT];
             const ParamRow *row = &param_table[i];
             const bool fits = suits(row, values[k].sort);
+            if (row->type == PARAM_Material && values[k].sort == SORT_defined)
+                continue; /* reported at the definition */
             char *errors = errors_of(row, values[k].text, text);
             tried++;
             wrong += !fits;

@@ -54,6 +54,7 @@ typedef struct Value {
     ValueKind kind;
     Type type;  /* of a number or uniform, before any conversion */
     bool given; /* stands in the document; false: the default */
+    bool color; /* a number that is written as a colour: "#ff8800", red; so is the default of a param */
     int16_t written; /* of a material of another model: 1 + the author's parameter that it was made of; 0: it is the author's own */
     Span span;
     union {

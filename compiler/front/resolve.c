@@ -1,6 +1,7 @@
 /* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met twice, by an alias or a
  * reference, becomes one node. The parameters' names, types, defaults and ranges come from the tables. */
 #include "compiler/base/stack.h"
+#include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/resolve_definition.h"
 #include <math.h>
@@ -69,20 +70,9 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
 
 static const char *param_name(const void *kind, int i) { return param_table[((const KindRow *)kind)->first + i].name; }
 
-/* Several numbers where one is read; one in brackets is told of by itself. A param may have more, of which other places read all. */
-static bool say_list(Resolver *r, const ParamRow *row, const Tree *tree)
-{
-    double number;
-    if (tree->kind != TREE_list || !param_is_number((int)(row - param_table)) ||
-        (tree->count == 1 && tree_number(tree->items[0], &number)))
-        return false;
-    diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "one number or a map", tree_describe(r->session, tree));
-    return true;
-}
-
 static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
-    if (row->type == PARAM_Map && say_list(r, row, tree))
+    if (hint_number_list(r, row, tree))
         return false;
     bool fault = false;
     const char *outer = r->param;
@@ -90,8 +80,9 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
     const Node *node = row->type == PARAM_Map ? resolve_map(r, tree, &fault) : resolve_material(r, tree, &fault);
     r->param = outer;
     *value = (Value){.kind = node ? VALUE_node : VALUE_none, .node = node};
-    const bool number = node && node->kind == KIND_Constant;
-    return !fault && (!number || resolve_in_range(r, row, tree, &node->params[0]));
+    if (fault || !node || node->kind != KIND_Constant)
+        return !fault;
+    return !hint_number_color(r, row, tree, &node->params[0]) && resolve_in_range(r, row, tree, &node->params[0]);
 }
 
 static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *value)

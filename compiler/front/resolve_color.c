@@ -91,5 +91,6 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value)
         return false;
     for (int lane = 0; srgb && lane < 3; lane++) /* alpha is a share, and no light */
         value->number[lane] = srgb_decode(value->number[lane]);
+    value->color = true;
     return true;
 }
