@@ -198,19 +198,38 @@ Ref area_odd_share(Lower *l, Answer q)
     return build_sub(ir, build_float(ir, 0.5), build_scale(ir, product, 0.5));
 }
 
-/* The sampler takes the footprint from the neighbouring pixels where those surely do the same and no seam lies between them: not in
- * branches, nor in the functions of filters, nor where the view ray makes the texture coordinate. Elsewhere it is told. GLSL
- * 1.10 cannot tell it: there the functions of filters mix texels. */
-Function area_picture_function(const Lower *l, bool smooth)
+/* A varying, or lanes of one: every pixel of a quad has it, helper invocations too. */
+static bool is_varying(const Ir *ir, Ref uv)
 {
-    const bool told = l->arms || l->filters || l->job->pass == PASS_sky || l->job->pass == PASS_plane;
+    while (ir_is(ir, uv, OP_swizzle))
+        uv = ir_arg(ir, uv, 0);
+    return ir_is(ir, uv, OP_input) || ir_is(ir, uv, OP_attribute);
+}
+
+/* A number of the coordinate may come to lie in a storage buffer that materials share. Mesa's
+ * llvmpipe reads 0 from it in helper invocations, so a quad at a triangle's edge would span the
+ * whole picture, and its coarsest mipmap would be drawn. */
+static bool may_read_buffer(const Lower *l, Ref uv)
+{
+    return l->job->instances && !is_varying(l->ir, uv);
+}
+
+/* The sampler takes the footprint from the neighboring pixels (texture) where these surely
+ * compute the same coordinate and no seam lies between them. Elsewhere the program passes it
+ * (textureGrad): in branches, in the functions of filters, where the view ray makes the texture
+ * coordinate, and where a buffer has its numbers. GLSL 1.10 has no textureGrad, no filter
+ * functions by sampler therefore, and no buffers. */
+Function area_picture_function(const Lower *l, Ref uv, bool smooth)
+{
+    const bool by_ray = l->job->pass == PASS_sky || l->job->pass == PASS_plane;
+    const bool passed = l->arms || l->filters || by_ray || may_read_buffer(l, uv);
     if (!smooth)
         return FN_imageNearest;
     if (l->job->choice[AXIS_aa] != CHOICE_aa_auto)
         return FN_imageBilinear;
     if (!target_table[l->job->target].words)
         return l->filters ? FN_imageBilinear : FN_imageSampled;
-    return told ? FN_imageSampledOver : FN_imageSampled;
+    return passed ? FN_imageSampledOver : FN_imageSampled;
 }
 
 static bool is_sampler(Function function) { return function == FN_imageSampled || function == FN_imageSampledOver; }

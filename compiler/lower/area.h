@@ -17,8 +17,8 @@ typedef struct {
     Ref sampler, size;
     Word address; /* what the shader does beyond the edges; repeat: the function or the sampler does all */
 } Picture;
-/* Which function reads an ImageMap where it is asked now; `smooth`: texels are mixed. */
-Function area_picture_function(const Lower *l, bool smooth);
+/* Selects the library function that reads an ImageMap at uv; `smooth`: texels are mixed. */
+Function area_picture_function(const Lower *l, Ref uv, bool smooth);
 /* A picture at uv. */
 Ref area_picture(Lower *l, const Picture *picture, Ref uv);
 /* At a point near uv, as it would be shown at uv: for differences. */

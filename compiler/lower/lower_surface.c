@@ -329,12 +329,12 @@ static Word wrap_of(const Lower *l, Word address, bool sampled)
     return address == WORD_Address_border && !borders ? WORD_Address_clamp : address;
 }
 
-static Sampled sampled_image(Lower *l, const Node *node, const Image *picture)
+static Sampled sampled_image(Lower *l, const Node *node, const Image *picture, Ref uv)
 {
     double bilinear[4];
     value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
     const Word address = (Word)node_param(node, P_ImageMap_address)->number[0];
-    const Function function = area_picture_function(l, bilinear[0] != 0);
+    const Function function = area_picture_function(l, uv, bilinear[0] != 0);
     const bool srgb = is_word(node, P_ImageMap_colorspace, WORD_ColorSpace_srgb) &&
                       !is_word(node, P_ImageMap_channel, WORD_Channel_a);
     const IrTexture texture = {
@@ -367,7 +367,7 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     const bool opaque = image->image->opaque && !is_word(node, P_ImageMap_address, WORD_Address_border);
     if (opaque && is_word(node, P_ImageMap_channel, WORD_Channel_a))
         return constant(l, build_float(ir, 1), group);
-    const Sampled sampled = sampled_image(l, node, image->image);
+    const Sampled sampled = sampled_image(l, node, image->image, uv);
     Ref value = sample_group(l, &sampled, uv, group);
     if (group == GROUP_R && opaque && sampled.lane == ALL_LANES)
         value = build_vec(ir, TYPE_vec4, build_swizzle(ir, value, "xyz"), build_float(ir, 1));
