@@ -30,11 +30,12 @@ static int expression_size(const Scope *e, Ref ref)
     return size;
 }
 
-/* Whether a node gets a statement of its own: several uses, a branch, a map's value, or too long in place. */
+/* Whether a node gets a statement of its own: several uses, a branch, a map's value, too long in
+ * place, or to be evaluated before a condition. */
 static bool needs_name(const Scope *e, Ref ref, int size)
 {
     const IrNode *node = ir_at(e->ir, ref);
-    if (e->s.arm[ref])
+    if (e->s.arm[ref] || (e->s.hoisted && e->s.hoisted[ref]))
         return true;
     if (emit_is_leaf(e->ir, ref))
         return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0; /* of what is written in place */
@@ -231,6 +232,17 @@ void emit_needed(Scope *e, Text *out, Ref root, int depth)
     for (Ref ref = e->s.blocks[0].first; ref; ref = e->s.next[ref])
         if (needed[ref] && !e->done[ref])
             put_statement(e, out, ref, depth);
+}
+
+void emit_hoisted(Scope *e, Text *out, int depth)
+{
+    for (size_t i = 0; e->s.hoisted && i < e->s.nodes.count; i++) {
+        const Ref ref = e->s.nodes.at[i];
+        if (!ir_needs_neighbours(e->ir, ref))
+            continue;
+        e->s.hoisted[ref] = 1;
+        emit_needed(e, out, ref, depth);
+    }
 }
 
 Scope emit_scope_new(Session *session, const Ir *ir, const Job *job, Interface *interface, Arena *scratch)

@@ -180,6 +180,8 @@ static void put_main(Scope *e, Text *out)
     Text body = text_new(e->session->arena);
     const int count = roots_of(ir, roots);
     emit_scope_open(e, NULL, roots, count);
+    if (ir_output_of(ir, OUT_discard) && count > 1)
+        emit_hoisted(e, &body, 1);
     for (int i = 0; i < ir->output_count; i++) {
         if (!ir_is_of_fragments(&ir->outputs[i]))
             continue;

@@ -46,6 +46,9 @@ void emit_indent(Text *out, int depth);
 /* The statements of a block; those of the scope's own block that `root` needs and that are not written yet. */
 void emit_block(Scope *e, Text *out, int block, int depth);
 void emit_needed(Scope *e, Text *out, Ref root, int depth);
+/* The statements of all implicit derivatives, for a scope that discards: behind a discard they
+ * are undefined. */
+void emit_hoisted(Scope *e, Text *out, int depth);
 /* Before them: a root that nothing else needs has no statement of its own, it is written where it goes; behind them: the comment that one would have. */
 void emit_leave(Scope *e, Ref root);
 void emit_left_note(Scope *e, Text *out, Ref root, int depth);

@@ -230,6 +230,40 @@ static void link_blocks(Schedule *s)
     }
 }
 
+/* Operand i is evaluated only where the first one says so: an arm of a select, the right side of
+ * && and ||. */
+static bool is_conditional(const Ir *ir, Ref ref, int i)
+{
+    return i > 0 && (ir_is(ir, ref, OP_select) || ir_is(ir, ref, OP_and) || ir_is(ir, ref, OP_or));
+}
+
+/* Finds the implicit derivatives that would be written in place within a condition. They lie in
+ * block 0, but a node of one use has no statement there by itself:
+ *
+ *     v = select(t, texture(s, uv).x, 0)    t ? texture(s, uv).x : 0.0 is undefined at some pixels
+ *     a = texture(s, uv); v = t ? a.x : 0.0 */
+static void hoist(const Ir *ir, Schedule *s)
+{
+    uint8_t *within = ARENA_ARRAY(s->arena, uint8_t, ir->count);
+    s->hoisted = ARENA_ARRAY(s->arena, uint8_t, ir->count);
+    for (size_t k = 0; k < s->nodes.count; k++) {
+        const Ref ref = s->nodes.at[k];
+        const bool derives = ir_needs_neighbours(ir, ref);
+        const bool outside = derives || (s->block[ref] == 0 && s->uses[ref] > 1);
+        s->hoisted[ref] = within[ref] && derives;
+        for (int i = 0; i < ir_at(ir, ref)->count; i++)
+            within[ir_arg(ir, ref, i)] |= (within[ref] && !outside) || is_conditional(ir, ref, i);
+    }
+}
+
+static bool has_neighbours(const Ir *ir, const Schedule *s)
+{
+    for (size_t i = 0; i < s->nodes.count; i++)
+        if (ir_needs_neighbours(ir, s->nodes.at[i]))
+            return true;
+    return false;
+}
+
 Schedule schedule_new(const Ir *ir, Arena *arena)
 {
     return (Schedule){.arena = arena,
@@ -260,5 +294,8 @@ void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branc
         assign_blocks(ir, s, roots, count);
     if (s->regions)
         order(s);
+    s->hoisted = NULL;
+    if (has_neighbours(ir, s))
+        hoist(ir, s);
     link_blocks(s);
 }

@@ -2,8 +2,11 @@
  *
  *     #version 450 core
  *     #define main surfaceMain
+ *     bool surface_gone = false;
+ *     #define discard surface_gone = true      (slopes are undefined behind a discard)
  *     ... what matc wrote, without its #version: void main() { ... fragment0 = ...; }
  *     #undef main
+ *     #undef discard
  *     #define FRAGMENT_DEPTH gl_FragCoord.z
  *     #define LISTS_STRIDE 6u
  *     #define LISTS_PACK fragment0.x, fragment0.y, fragment0.z, fragment0.w
@@ -101,14 +104,16 @@ void transparency_text(const GlContext *gl, const Set *set, Transparency way, Tr
     const bool lists = way == TRANSPARENCY_lists;
     *made = (TransparencyText){
         .way = way, .instances = set->instances, .body = lists ? render_text_lists_store : render_text_peel_layer};
-    put(made->head, "#version %s core\n#define main surfaceMain\n",
+    put(made->head,
+        "#version %s core\n#define main surfaceMain\n"
+        "bool surface_gone = false;\n#define discard surface_gone = true\n",
         gl->major * 10 + gl->minor >= 45 ? "450"
         : lists                          ? "430"
                                          : "330");
     for (int plane = 0; plane < 2; plane++) {
         char *tail = made->tail[plane];
         int targets = 0;
-        put(tail, "#undef main\n#define FRAGMENT_DEPTH %s\n", depths[plane]);
+        put(tail, "#undef main\n#undef discard\n#define FRAGMENT_DEPTH %s\n", depths[plane]);
         while (set_format(set, targets))
             targets++;
         if (lists)

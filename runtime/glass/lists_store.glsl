@@ -14,7 +14,8 @@ layout(std430, binding = 2) buffer Lists {
 void main()
 {
     surfaceMain();
-    if (depthHidden(FRAGMENT_DEPTH, texelFetch(lists_depth, ivec2(gl_FragCoord.xy), 0).x)) return; // not sooner: neighbours want its slopes
+    bool hidden = depthHidden(FRAGMENT_DEPTH, texelFetch(lists_depth, ivec2(gl_FragCoord.xy), 0).x);
+    if (surface_gone || hidden) return; // not sooner: neighbors want its slopes
     uint number = atomicAdd(lists_count, 1u);
     if (number >= lists_room) return;
     uint at = lists_pixels + number * LISTS_STRIDE;

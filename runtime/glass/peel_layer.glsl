@@ -18,6 +18,7 @@ void main()
     uvec2 key = uvec2(floatBitsToUint(FRAGMENT_DEPTH), uint(peel_object) * uint(peel_stride) * 256u + uint(gl_PrimitiveID));
     uvec2 behind = texelFetch(peel_behind, pixel, 0).xy;
     bool hidden = depthHidden(FRAGMENT_DEPTH, texelFetch(peel_depth, pixel, 0).x);
-    if (hidden || key.x < behind.x || (key.x == behind.x && key.y >= behind.y)) discard;
+    bool is_behind = key.x > behind.x || (key.x == behind.x && key.y < behind.y);
+    if (surface_gone || hidden || !is_behind) discard;
     peel_key = uvec4(key, 0u, 0u);
 }

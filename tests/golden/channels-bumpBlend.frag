@@ -132,6 +132,8 @@ void main() {
     // bumpBlend.yaml:10 tiles
     vec2 tiles = pictureSize(imageTexture0);
     vec4 tiles_2 = imageSampled(imageTexture0, tiles_uvTransform, tiles);
+    vec4 tiles_3 = imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles);
+    vec4 tiles_4 = imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles);
     // bumpBlend.yaml:4 BumpMap
     float bumpMap_1;
     float bumpMap_2;
@@ -142,11 +144,10 @@ void main() {
         // bumpBlend.yaml:7 Blend
         bool blend = localPosition.x <= 1.0;
         float blend_2 = (localPosition.x + 1.0) * 0.5;
-        vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);
-        vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), tiles_3);
-        float bumpMap_3 = tiles_4.x * 6.0;
+        vec2 tiles_5 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), vec2((tiles_3.x - tiles_2.x) * tiles.x, (tiles_4.x - tiles_2.x) * tiles.y));
+        float bumpMap_3 = tiles_5.x * 6.0;
         float bumpMap_4 = tiles_2.x - 0.3;
-        float bumpMap_5 = tiles_4.y * 3.0;
+        float bumpMap_5 = tiles_5.y * 3.0;
         bumpMap_1 = blend ? bumpMap_4 * (localTangentU.x * 0.5) + bumpMap_3 * blend_2 : bumpMap_3;
         bumpMap_2 = blend ? bumpMap_4 * (localTangentV.x * 0.5) + bumpMap_5 * blend_2 : bumpMap_5;
     }
