@@ -12,8 +12,13 @@ typedef struct {
     const char *why; /* it could not be */
 } Buffer;
 
+/* A file that a .gltf names; `why`: it could not be read. */
+struct GltfBeside {
+    GltfBytes bytes;
+    const char *why;
+};
+
 struct GltfFile {
-    const char *path;
     const Tree *root; /* NULL: it could not be read */
     const char *why;  /* it could not */
     const char *binary;
@@ -89,40 +94,58 @@ static bool decode_data(Session *session, const Tree *uri, GltfBytes *bytes, con
 
 static bool is_data(const Tree *uri) { return !strncmp(uri->text, "data:", 5); }
 
-static bool read_beside(Session *session, const char *from, const char *uri, GltfBytes *bytes, const char **why)
+static GltfBeside read_file_beside(Session *session, const char *path)
 {
-    const char *path = session_path_beside(session, from, text_decoded(session->arena, uri));
+    GltfBeside beside = {.why = NULL};
     session_depend_on(session, path);
-    char *file = session_read_file(session, path, &bytes->size, why);
+    char *file = session_read_file(session, path, &beside.bytes.size, &beside.why);
     if (!file)
-        return false;
-    bytes->at = arena_string(session->arena, file, bytes->size);
+        return beside;
+    beside.bytes.at = arena_string(session->arena, file, beside.bytes.size);
+    beside.why = NULL;
     free(file);
-    return true;
+    return beside;
+}
+
+/* Reads each file once, whether that works or not: `uri` is relative to `from`. */
+static bool read_beside(const GltfPlace *place, const char *uri, GltfBytes *bytes, const char **why)
+{
+    Session *session = place->session;
+    GltfFiles *files = place->files;
+    const char *path = session_path_beside(session, place->path, text_decoded(session->arena, uri));
+    const size_t number = (size_t)names_add(session->arena, &files->beside_paths, path);
+    if (number == files->beside_count) {
+        const GltfBeside beside = read_file_beside(session, path);
+        ARENA_PUSH(session->arena, files->beside, files->beside_count, files->beside_room, beside);
+    }
+    *bytes = files->beside[number].bytes;
+    *why = files->beside[number].why;
+    return bytes->at != NULL;
 }
 
 /* A file, a data: address, the chunk of a .glb. */
-static bool read_buffer(Session *session, const GltfFile *file, size_t number, GltfBytes *bytes, const char **why)
+static bool read_buffer(const GltfPlace *place, const GltfFile *file, size_t number, Buffer *buffer)
 {
+    GltfBytes *bytes = &buffer->bytes;
+    const char **why = &buffer->why;
     const Tree *uri = gltf_file_value(gltf_file_item(file->root, "buffers", number), "uri");
     if (uri && uri->kind != TREE_scalar)
         return *why = "its buffer's uri is no text", false;
     if (uri)
-        return is_data(uri) ? decode_data(session, uri, bytes, why)
-                            : read_beside(session, file->path, uri->text, bytes, why);
+        return is_data(uri) ? decode_data(place->session, uri, bytes, why) : read_beside(place, uri->text, bytes, why);
     *bytes = (GltfBytes){file->binary, file->binary_size};
     return (!number && file->binary) || (*why = "its buffer has no uri, and the file no binary chunk", false);
 }
 
 /* What a buffer holds, read once; NULL: `why`. */
-static const Buffer *buffer_of(Session *session, GltfFile *file, size_t number, const char **why)
+static const Buffer *buffer_of(const GltfPlace *place, GltfFile *file, size_t number, const char **why)
 {
     if (!gltf_file_item(file->root, "buffers", number))
         return *why = "its bufferView names no buffer", NULL;
     if (!file->buffers)
-        file->buffers = ARENA_ARRAY(session->arena, Buffer, gltf_file_value(file->root, "buffers")->count);
+        file->buffers = ARENA_ARRAY(place->session->arena, Buffer, gltf_file_value(file->root, "buffers")->count);
     Buffer *buffer = &file->buffers[number];
-    if (!buffer->read && !read_buffer(session, file, number, &buffer->bytes, &buffer->why))
+    if (!buffer->read && !read_buffer(place, file, number, buffer))
         buffer->bytes = (GltfBytes){0};
     else if (!buffer->read)
         buffer->why = NULL;
@@ -131,13 +154,13 @@ static const Buffer *buffer_of(Session *session, GltfFile *file, size_t number, 
     return buffer->why ? NULL : buffer;
 }
 
-static bool read_view(Session *session, GltfFile *file, const Tree *index, GltfBytes *bytes, const char **why)
+static bool read_view(const GltfPlace *place, GltfFile *file, const Tree *index, GltfBytes *bytes, const char **why)
 {
     const Tree *view = gltf_file_item(file->root, "bufferViews", gltf_file_whole(index, SIZE_MAX));
     const size_t number = gltf_file_whole(gltf_file_value(view, "buffer"), SIZE_MAX);
     if (!view)
         return *why = "its bufferView is not there", false;
-    const Buffer *buffer = buffer_of(session, file, number, why);
+    const Buffer *buffer = buffer_of(place, file, number, why);
     if (!buffer)
         return false;
     const size_t offset = gltf_file_whole(gltf_file_value(view, "byteOffset"), 0),
@@ -148,12 +171,24 @@ static bool read_view(Session *session, GltfFile *file, const Tree *index, GltfB
     return true;
 }
 
-/* A source of that path: one that was read as a document, or read now. */
-static bool find_source(Session *session, const char *path, uint32_t *found, const char **why)
+/* Adds the sources that the session has got since the last call. */
+static void index_sources(Session *session, GltfFiles *files)
 {
-    for (size_t i = 0; i < session->source_count; i++)
-        if (!strcmp(session_path_beside(session, "", session->sources[i].name), path))
-            return *found = (uint32_t)i, true;
+    for (; files->indexed < session->source_count; files->indexed++) {
+        const uint32_t number = (uint32_t)files->indexed;
+        const char *path = session_path_beside(session, "", session->sources[number].name);
+        if ((size_t)names_add(session->arena, &files->source_paths, path) == files->source_count)
+            ARENA_PUSH(session->arena, files->sources, files->source_count, files->source_room, number);
+    }
+}
+
+/* A source of that path: one that was read as a document, or read now. */
+static bool find_source(Session *session, GltfFiles *files, const char *path, uint32_t *found, const char **why)
+{
+    index_sources(session, files);
+    const int known = names_find(&files->source_paths, path);
+    if (known >= 0)
+        return *found = files->sources[known], true;
     session_depend_on(session, path);
     size_t size;
     char *text = session_read_file(session, path, &size, why);
@@ -169,13 +204,13 @@ static bool find_source(Session *session, const char *path, uint32_t *found, con
 static GltfFile *file_of(Session *session, GltfFiles *files, const char *path)
 {
     uint32_t source = 0;
-    for (size_t i = 0; i < files->count; i++)
-        if (!strcmp(files->at[i]->path, path))
-            return files->at[i];
+    const size_t number = (size_t)names_add(session->arena, &files->paths, path);
+    if (number < files->count)
+        return files->at[number];
     GltfFile *file = ARENA_NEW(session->arena, GltfFile);
     ARENA_PUSH(session->arena, files->at, files->count, files->room, file);
-    *file = (GltfFile){.path = path, .why = "the file is broken"};
-    if (!find_source(session, path, &source, &file->why))
+    *file = (GltfFile){.why = "the file is broken"};
+    if (!find_source(session, files, path, &source, &file->why))
         return file;
     file->root = read_json_of(session, source);
     file->binary = session->sources[source].binary;
@@ -187,7 +222,8 @@ bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, Glt
 {
     const char *mark = strstr(path, GLTF_IMAGES), *number = mark + sizeof GLTF_IMAGES - 1;
     const size_t digits = strspn(number, "0123456789");
-    GltfFile *file = file_of(session, files, arena_string(session->arena, path, (size_t)(mark - path)));
+    const GltfPlace place = {session, files, arena_string(session->arena, path, (size_t)(mark - path))};
+    GltfFile *file = file_of(session, files, place.path);
     if (!file->root)
         return *why = file->why, false;
     const Tree *image = digits && digits <= MOST_DIGITS && !number[digits]
@@ -197,11 +233,10 @@ bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, Glt
     if (!image)
         return *why = "the file's list images has no such item", false;
     if (view)
-        return read_view(session, file, view, picture, why);
+        return read_view(&place, file, view, picture, why);
     if (!uri || uri->kind != TREE_scalar)
         return *why = "the file says neither its uri nor its bufferView", false;
-    return is_data(uri) ? decode_data(session, uri, picture, why)
-                        : read_beside(session, file->path, uri->text, picture, why);
+    return is_data(uri) ? decode_data(session, uri, picture, why) : read_beside(&place, uri->text, picture, why);
 }
 
 const Tree *gltf_file_root(const GltfPlace *place, const char **why)
@@ -213,5 +248,5 @@ const Tree *gltf_file_root(const GltfPlace *place, const char **why)
 
 bool gltf_file_view(const GltfPlace *place, const Tree *index, GltfBytes *bytes, const char **why)
 {
-    return read_view(place->session, file_of(place->session, place->files, place->path), index, bytes, why);
+    return read_view(place, file_of(place->session, place->files, place->path), index, bytes, why);
 }

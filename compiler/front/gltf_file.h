@@ -2,21 +2,30 @@
  * as a fragment (RFC 6901, section 6): "helmet.glb#/images/2". Files are untrusted: each length is held against what is there. */
 #ifndef MATC_GLTF_FILE_H
 #define MATC_GLTF_FILE_H
+#include "compiler/base/names.h"
 #include "compiler/front/gltf_chunks.h"
 #include "compiler/front/tree.h"
 
-/* Files whose pictures were asked for, and what was made of them. */
-typedef struct GltfFile GltfFile;
-typedef struct {
-    GltfFile **at;
-    size_t count, room;
-} GltfFiles;
-
-/* The bytes of a picture. */
+/* The bytes of a picture, a buffer or a view. */
 typedef struct {
     const char *at;
     size_t size;
 } GltfBytes;
+
+/* Files whose pictures were asked for, and the buffers and pictures that they name: each is read once. */
+typedef struct GltfFile GltfFile;
+typedef struct GltfBeside GltfBeside;
+typedef struct {
+    GltfFile **at;
+    size_t count, room;
+    Names paths; /* of these */
+    GltfBeside *beside;
+    size_t beside_count, beside_room;
+    Names beside_paths;
+    Names source_paths; /* of the session's first `indexed` sources */
+    uint32_t *sources;  /* by source_paths: the first source of that path */
+    size_t source_count, source_room, indexed;
+} GltfFiles;
 /* Whether a path is that of a picture within a file. */
 bool gltf_file_has(const char *path);
 /* The picture of such a path; false: `why` says what is wrong. */

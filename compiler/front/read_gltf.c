@@ -24,6 +24,12 @@ typedef struct {
     Session *session;
     const Tree *root;
     Names names; /* of materials so far */
+    Names stems; /* names that several materials have in the file */
+    int *last;   /* by stem: the number behind the last of its twins */
+    size_t last_count, last_room;
+    bool *colored; /* by material: one of its primitives has vertex colors; then the same of those without a material */
+    uint32_t material_count;
+    bool bare; /* a primitive has no material */
 } Gltf;
 
 /* An object that is being made. */
@@ -234,6 +240,16 @@ static void put_members(Gltf *g, Keys *made, const Tree *from, bool outermost)
     }
 }
 
+/* The number behind the last twin of a stem. Each number is tried once, so that n materials of one name take n steps. */
+static int *last_twin(Gltf *g, const char *stem)
+{
+    const int first = 1, known = names_find(&g->stems, stem);
+    if (known >= 0)
+        return &g->last[known];
+    ARENA_PUSH(g->session->arena, g->last, g->last_count, g->last_room, first);
+    return &g->last[names_add(g->session->arena, &g->stems, stem)];
+}
+
 /* Letters, digits and _-. behind a letter, and one that no other has. */
 static const char *name_for(Gltf *g, const Tree *given, uint32_t number)
 {
@@ -244,26 +260,32 @@ static const char *name_for(Gltf *g, const Tree *given, uint32_t number)
     for (; *from && text.size + 12 < LIMIT_NAME; from++)
         text_char(&text, text_is_alphanumeric(*from) || *from == '-' || *from == '.' ? *from : '_');
     const size_t size = text.size;
-    for (unsigned twin = 2; names_find(&g->names, text.at) >= 0; twin++) {
+    int *last =
+        names_find(&g->names, text.at) < 0 ? NULL : last_twin(g, arena_string(g->session->arena, text.at, size));
+    while (last && names_find(&g->names, text.at) >= 0) {
         text.size = size;
-        text_format(&text, "_%u", twin);
+        text_format(&text, "_%d", ++*last);
     }
     names_add(g->session->arena, &g->names, text.at);
     return text.at;
 }
 
-/* A primitive of the material, -1 for those without one, has vertex colours. */
-static bool is_colored(const Gltf *g, int material)
+/* Finds the materials of primitives with vertex colors, and whether a primitive has none: one pass over all primitives. */
+static void find_primitives(Gltf *g)
 {
-    const Tree *meshes = value_of(g->root, "meshes");
+    const Tree *meshes = value_of(g->root, "meshes"), *materials = value_of(g->root, "materials");
+    g->material_count = materials && materials->kind == TREE_list ? materials->count : 0;
+    g->colored = ARENA_ARRAY(g->session->arena, bool, g->material_count + 1);
     for (uint32_t m = 0; meshes && meshes->kind == TREE_list && m < meshes->count; m++) {
         const Tree *parts = value_of(meshes->items[m], "primitives");
-        for (uint32_t i = 0; parts && parts->kind == TREE_list && i < parts->count; i++)
-            if (whole_of(value_of(parts->items[i], "material"), -1) == material &&
-                value_of(value_of(parts->items[i], "attributes"), "COLOR_0"))
-                return true;
+        for (uint32_t i = 0; parts && parts->kind == TREE_list && i < parts->count; i++) {
+            const Tree *material = value_of(parts->items[i], "material");
+            const uint32_t number = (uint32_t)whole_of(material, (int)g->material_count);
+            g->bare |= !material;
+            if (number <= g->material_count && value_of(value_of(parts->items[i], "attributes"), "COLOR_0"))
+                g->colored[number] = true;
+        }
     }
-    return false;
 }
 
 /* Vertex colours multiply the base colour, and its alpha. */
@@ -288,7 +310,7 @@ static void put_vertex_color(Gltf *g, Keys *made, Span span)
     put(g, made, "baseColorTexture", color);
 }
 
-static Tree *material_of(Gltf *g, const Tree *from, int number, Span span)
+static Tree *material_of(Gltf *g, const Tree *from, uint32_t number, Span span)
 {
     Keys made = {0};
     const Tree *extensions = value_of(from, "extensions");
@@ -300,21 +322,9 @@ static Tree *material_of(Gltf *g, const Tree *from, int number, Span span)
             put_members(g, &made, extensions->members[i].value, false);
         else
             diag_add(g->session, extensions->members[i].span, DIAG_gltf_unread, extensions->members[i].key);
-    if (is_colored(g, number))
+    if (g->colored[number])
         put_vertex_color(g, &made, span);
     return object(g, &made, span);
-}
-
-static bool has_bare_primitive(const Gltf *g)
-{
-    const Tree *meshes = value_of(g->root, "meshes");
-    for (uint32_t m = 0; meshes && meshes->kind == TREE_list && m < meshes->count; m++) {
-        const Tree *parts = value_of(meshes->items[m], "primitives");
-        for (uint32_t i = 0; parts && parts->kind == TREE_list && i < parts->count; i++)
-            if (!value_of(parts->items[i], "material"))
-                return true;
-    }
-    return false;
 }
 
 Tree *read_gltf(TreeBuilder *b)
@@ -325,13 +335,14 @@ Tree *read_gltf(TreeBuilder *b)
     if (!root || root->kind != TREE_object)
         return root;
     const Tree *list = value_of(root, "materials");
+    find_primitives(&g);
     for (uint32_t i = 0; list && list->kind == TREE_list && i < list->count; i++) {
         const char *name = name_for(&g, value_of(list->items[i], "name"), i);
-        put(&g, &materials, name, material_of(&g, list->items[i], (int)i, list->items[i]->span));
+        put(&g, &materials, name, material_of(&g, list->items[i], i, list->items[i]->span));
     }
     const Span span = {root->span.start, root->span.start + 1, root->span.file};
-    if (has_bare_primitive(&g))
-        put(&g, &materials, name_for(&g, word(&g, "default", span), 0), material_of(&g, NULL, -1, span));
+    if (g.bare)
+        put(&g, &materials, name_for(&g, word(&g, "default", span), 0), material_of(&g, NULL, g.material_count, span));
     put(&g, &document, "materials", object(&g, &materials, list ? list->span : span));
     return object(&g, &document, root->span);
 }

@@ -2,6 +2,7 @@
 #include "runtime/scene/model_import.h"
 #include "runtime/gl/message.h"
 #include "runtime/scene/model_attributes.h"
+#include "runtime/scene/model_join.h"
 #include "runtime/scene/model_number.h"
 #include "runtime/scene/model_open.h"
 #include <stdlib.h>
@@ -21,8 +22,9 @@ bool model_import(const char *path, ModelParts *parts, char *error, size_t room)
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-static const unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                              aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure;
+/* Vertices are joined by model_join.c: assimp 5.2 hashes their positions alone, and takes quadratic time for many in one place. */
+static const unsigned steps =
+    aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure;
 
 /* Where vertices come from. */
 typedef struct {
@@ -45,7 +47,11 @@ static void count(const struct aiScene *scene, size_t *vertices, size_t *indices
     }
 }
 
-static void put(float to[3], const struct aiVector3D *from) { to[0] = from->x, to[1] = from->y, to[2] = from->z; }
+/* Zeros lose their sign, since vertices are compared by their bytes. */
+static void put(float to[3], const struct aiVector3D *from)
+{
+    to[0] = from->x + 0.f, to[1] = from->y + 0.f, to[2] = from->z + 0.f;
+}
 
 /* The set of texture coordinates that is numbers of vertices: the one of three (model_number_vertices.c); -1: it has none. */
 static int numbers_of(const struct aiMesh *mesh)
@@ -71,7 +77,7 @@ static const ModelPrimitive *primitive_of(const Origin *from, unsigned i, size_t
     return primitive->vertex_count ? primitive : NULL;
 }
 
-/* What the meshes have of the extras; those that lack it are white, or have 0. */
+/* Which extras the meshes have; those that lack one that others have are white, or have 0. */
 static bool make_extras(const struct aiScene *scene, const ModelAttributes *attributes, size_t vertices,
                         ModelParts *parts)
 {
@@ -86,46 +92,59 @@ static bool make_extras(const struct aiScene *scene, const ModelAttributes *attr
     for (int i = 0; i < SHAPE_EXTRAS; i++)
         if (has[i] && !(parts->shape.extra[i] = calloc(vertices + 1, sizeof *parts->shape.extra[i])))
             return false;
-    for (size_t k = 0; has[SHAPE_EXTRA_color] && k < 4 * vertices; k++)
-        parts->shape.extra[SHAPE_EXTRA_color][k / 4][k % 4] = 1;
     memcpy(parts->shape.names, attributes->names, sizeof attributes->names);
     return true;
 }
 
+/* Writes all extras that the shape has, of the vertex behind its last. */
 static void put_extras(const Origin *from, unsigned i, Shape *shape)
 {
+    static const float white[4] = {1, 1, 1, 1};
     float(*color)[4] = shape->extra[SHAPE_EXTRA_color], (*uv1)[4] = shape->extra[SHAPE_EXTRA_uv1];
     const int to = shape->vertex_count;
     size_t vertex = 0;
-    if (color && from->mesh->mColors[0])
-        memcpy(color[to], &from->mesh->mColors[0][i], sizeof *color);
+    if (color)
+        memcpy(color[to], from->mesh->mColors[0] ? (const float *)&from->mesh->mColors[0][i] : white, sizeof *color);
     if (uv1 && has_set(from->mesh, 1)) {
         uv1[to][0] = from->mesh->mTextureCoords[1][i].x;
         uv1[to][1] = from->mesh->mTextureCoords[1][i].y;
-    }
+    } else if (uv1)
+        memset(uv1[to], 0, sizeof *uv1);
     const ModelPrimitive *primitive = primitive_of(from, i, &vertex);
-    for (int k = 0; primitive && k < SHAPE_NAMED; k++)
-        if (primitive->values[k])
-            memcpy(shape->extra[SHAPE_EXTRA_named + k][to], primitive->values[k][vertex],
-                   sizeof primitive->values[k][vertex]);
+    for (int k = 0; k < SHAPE_NAMED; k++) {
+        float(*named)[4] = shape->extra[SHAPE_EXTRA_named + k];
+        if (named && primitive && primitive->values[k])
+            memcpy(named[to], primitive->values[k][vertex], sizeof *named);
+        else if (named)
+            memset(named[to], 0, sizeof *named);
+    }
 }
 
-static void add_vertices(const struct aiMesh *mesh, const ModelAttributes *attributes, ModelParts *parts)
+/* Writes the vertex behind the shape's last, and joins it with an earlier one of its mesh. */
+static bool add_vertex(const Origin *from, unsigned i, ModelJoin *join)
+{
+    const struct aiMesh *mesh = from->mesh;
+    Shape *shape = join->shape;
+    ShapeVertex *vertex = &shape->vertices[shape->vertex_count];
+    *vertex = (ShapeVertex){0};
+    put_extras(from, i, shape);
+    put(vertex->position, &mesh->mVertices[i]);
+    if (mesh->mNormals)
+        put(vertex->normal, &mesh->mNormals[i]);
+    if (has_set(mesh, 0)) {
+        vertex->uv[0] = mesh->mTextureCoords[0][i].x + 0.f;
+        vertex->uv[1] = mesh->mTextureCoords[0][i].y + 0.f;
+    }
+    return model_join_add(join, i);
+}
+
+static bool add_vertices(const struct aiMesh *mesh, const ModelAttributes *attributes, ModelJoin *join)
 {
     const Origin from = {mesh, attributes, numbers_of(mesh)};
-    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
-        put_extras(&from, i, &parts->shape);
-        ShapeVertex *vertex = &parts->shape.vertices[parts->shape.vertex_count++];
-        put(vertex->position, &mesh->mVertices[i]);
-        if (mesh->mNormals)
-            put(vertex->normal, &mesh->mNormals[i]);
-        if (has_set(mesh, 0)) {
-            vertex->uv[0] = mesh->mTextureCoords[0][i].x;
-            vertex->uv[1] = mesh->mTextureCoords[0][i].y;
-        }
-    }
-    parts->has_normals &= mesh->mNormals != NULL;
-    parts->has_coordinates &= has_set(mesh, 0);
+    for (unsigned i = 0; i < mesh->mNumVertices; i++)
+        if (!add_vertex(&from, i, join))
+            return false;
+    return true;
 }
 
 /* Of a mesh; names of a glTF's are numbers (model_number.h). */
@@ -138,18 +157,30 @@ static int material_of(const struct aiScene *scene, const struct aiMesh *mesh)
     return model_material_number(name.data);
 }
 
-static void add_mesh(const struct aiMesh *mesh, int material, const ModelAttributes *attributes, ModelParts *parts)
+static bool add_mesh(const struct aiMesh *mesh, int material, const ModelAttributes *attributes, ModelParts *parts)
 {
-    const uint32_t first = (uint32_t)parts->shape.vertex_count;
+    ModelJoin join;
     const int before = parts->shape.index_count;
-    add_vertices(mesh, attributes, parts);
-    for (unsigned f = 0; f < mesh->mNumFaces; f++)
+    const bool joined =
+        model_join_open(&join, &parts->shape, mesh->mNumVertices) && add_vertices(mesh, attributes, &join);
+    for (unsigned f = 0; joined && f < mesh->mNumFaces; f++)
         for (unsigned k = 0; k < 3 && mesh->mFaces[f].mNumIndices == 3; k++) {
             /* one that is out of range stays so: the parts are checked */
             const unsigned index = mesh->mFaces[f].mIndices[k];
-            parts->shape.indices[parts->shape.index_count++] = index < mesh->mNumVertices ? first + index : UINT32_MAX;
+            parts->shape.indices[parts->shape.index_count++] =
+                index < mesh->mNumVertices ? join.joined[index] : UINT32_MAX;
         }
+    parts->has_normals &= mesh->mNormals != NULL;
+    parts->has_coordinates &= has_set(mesh, 0);
     parts->runs[parts->run_count++] = (ModelRun){material, parts->shape.index_count - before};
+    model_join_close(&join);
+    return joined;
+}
+
+static bool fail_many(size_t vertices, size_t indices, char *error, size_t room)
+{
+    return message_fail(error, room, "it has %zu vertices and %zu triangles; at most %d and %d are drawn", vertices,
+                        indices / 3, MODEL_VERTICES, MODEL_INDICES / 3);
 }
 
 static bool take(const struct aiScene *scene, const ModelAttributes *attributes, ModelParts *parts, char *error,
@@ -157,20 +188,20 @@ static bool take(const struct aiScene *scene, const ModelAttributes *attributes,
 {
     size_t vertices, indices;
     count(scene, &vertices, &indices);
-    if (vertices > MODEL_VERTICES || indices > MODEL_INDICES)
-        return message_fail(error, room, "it has %zu vertices and %zu triangles; at most %d and %d are drawn", vertices,
-                            indices / 3, MODEL_VERTICES, MODEL_INDICES / 3);
+    if (indices > MODEL_INDICES)
+        return fail_many(vertices, indices, error, room);
+    const size_t most = vertices < MODEL_VERTICES ? vertices : MODEL_VERTICES;
     *parts = (ModelParts){.has_normals = true, .has_coordinates = true};
-    parts->shape.vertices = calloc(vertices + 1, sizeof *parts->shape.vertices);
+    parts->shape.vertices = calloc(most + 1, sizeof *parts->shape.vertices);
     parts->shape.indices = calloc(indices + 1, sizeof *parts->shape.indices);
     parts->runs = calloc((size_t)scene->mNumMeshes + 1, sizeof *parts->runs);
-    if (!parts->shape.vertices || !parts->shape.indices || !parts->runs ||
-        !make_extras(scene, attributes, vertices, parts))
+    if (!parts->shape.vertices || !parts->shape.indices || !parts->runs || !make_extras(scene, attributes, most, parts))
         return message_fail(error, room, "out of memory");
-    for (unsigned m = 0; m < scene->mNumMeshes; m++)
+    bool fits = true;
+    for (unsigned m = 0; fits && m < scene->mNumMeshes; m++)
         if (has_triangles(scene->mMeshes[m]))
-            add_mesh(scene->mMeshes[m], material_of(scene, scene->mMeshes[m]), attributes, parts);
-    return true;
+            fits = add_mesh(scene->mMeshes[m], material_of(scene, scene->mMeshes[m]), attributes, parts);
+    return fits || fail_many(vertices, indices, error, room);
 }
 
 /* What assimp says is wrong; a name of C++ says nothing to who wrote the file. */

@@ -78,27 +78,37 @@ static const char *first_fault(SceneReader *r, MatcDocument *document)
     return arena_string(r->session->arena, all, strcspn(all, "\n"));
 }
 
-/* A document of that path, read once; NULL: told. */
-static MatcDocument *open_document(SceneReader *r, const Tree *tree)
+/* Reads a document; its place in scene->documents, or -1 and *why. */
+static int read_document_file(SceneReader *r, const char *path, const char **why)
 {
     Scene *scene = r->scene;
     size_t size = 0, count = (size_t)scene->document_count;
-    const char *why = "";
-    const char *path = session_path_beside(r->session, r->session->sources[tree->span.file].name, tree->text);
-    for (size_t i = 0; i < count; i++)
-        if (!strcmp(matc_depend(scene->documents[i], 0), path))
-            return scene->documents[i];
     session_depend_on(r->session, path);
-    char *text = session_read_file(r->session, path, &size, &why);
+    char *text = session_read_file(r->session, path, &size, why);
     if (!text)
-        return diag_add(r->session, tree->span, DIAG_cannot_read, tree->text, why);
+        return -1;
     MatcDocument *document = matc_read(path, text, size, r->session->options);
     free(text);
     for (int i = 1; i < matc_depend_count(document); i++)
         session_depend_on(r->session, matc_depend(document, i));
     ARENA_PUSH(r->session->arena, scene->documents, count, r->document_room, document);
     scene->document_count = (int)count;
-    return document;
+    return (int)count - 1;
+}
+
+/* A document of that path, read once; NULL: reported. */
+static MatcDocument *open_document(SceneReader *r, const Tree *tree)
+{
+    const char *why = "";
+    const char *path = session_path_beside(r->session, r->session->sources[tree->span.file].name, tree->text);
+    const int known = names_find(&r->document_paths, path);
+    if (known >= 0)
+        return r->scene->documents[known];
+    const int read = read_document_file(r, path, &why);
+    if (read < 0)
+        return diag_add(r->session, tree->span, DIAG_cannot_read, tree->text, why);
+    names_add(r->session->arena, &r->document_paths, path);
+    return r->scene->documents[read];
 }
 
 static const char *material_name(const void *user, int i) { return matc_material_name(user, i); }

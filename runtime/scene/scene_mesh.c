@@ -16,20 +16,49 @@ static const char *path_of(SceneReader *r, const Tree *tree)
     return NULL;
 }
 
-/* The first mesh of the file: its parts, or the whole. */
-static int find(const Scene *scene, const char *path, bool parts)
-{
-    for (int i = 0; i < scene->mesh_count; i++)
-        if (!strcmp(scene->meshes[i].path, path) && (scene->meshes[i].part >= 0) == parts)
-            return i;
-    return -1;
-}
-
 static void add(SceneReader *r, SceneMesh mesh)
 {
     size_t count = (size_t)r->scene->mesh_count;
     ARENA_PUSH(r->session->arena, r->scene->meshes, count, r->mesh_room, mesh);
     r->scene->mesh_count = (int)count;
+}
+
+static bool read_whole(SceneReader *r, const char *path, char *error, size_t room)
+{
+    SceneMesh mesh = {.path = path, .part = -1};
+    if (!model_read_in_place(path, &mesh.shape, error, room))
+        return false;
+    add(r, mesh);
+    return true;
+}
+
+static bool read_parts(SceneReader *r, const char *path, char *error, size_t room)
+{
+    ModelPart *parts;
+    int count;
+    if (!model_read_parts(path, &parts, &count, error, room))
+        return false;
+    for (int i = 0; i < count; i++)
+        add(r, (SceneMesh){.path = path, .shape = parts[i].shape, .part = parts[i].material});
+    free(parts);
+    return true;
+}
+
+/* Reads a file of that path, or finds it among those that were read. */
+static SceneMeshFile file_of(SceneReader *r, const char *path, bool parts)
+{
+    char error[MESSAGE];
+    SceneMeshFiles *files = &r->mesh_files[parts];
+    const size_t number = (size_t)names_add(r->session->arena, &files->paths, path);
+    if (number < files->count)
+        return files->at[number];
+    SceneMeshFile file = {.first = r->scene->mesh_count};
+    session_depend_on(r->session, path);
+    if (!(parts ? read_parts : read_whole)(r, path, error, sizeof error))
+        file.why = arena_string(r->session->arena, error, strlen(error));
+    file.count = r->scene->mesh_count - file.first;
+    ARENA_PUSH(r->session->arena, files->at, files->count, files->room, file);
+    return file;
 }
 
 static int fail(SceneReader *r, const Tree *tree, const char *error)
@@ -41,38 +70,19 @@ static int fail(SceneReader *r, const Tree *tree, const char *error)
 
 int scene_mesh_read(SceneReader *r, const Tree *tree)
 {
-    char error[MESSAGE];
-    SceneMesh mesh = {.path = path_of(r, tree), .part = -1};
-    if (!mesh.path)
+    const char *path = path_of(r, tree);
+    if (!path)
         return -1;
-    const int known = find(r->scene, mesh.path, false);
-    if (known >= 0)
-        return known;
-    session_depend_on(r->session, mesh.path);
-    if (!model_read_in_place(mesh.path, &mesh.shape, error, sizeof error))
-        return fail(r, tree, error);
-    add(r, mesh);
-    return r->scene->mesh_count - 1;
+    const SceneMeshFile file = file_of(r, path, false);
+    return file.why ? fail(r, tree, file.why) : file.first;
 }
 
 int scene_mesh_read_parts(SceneReader *r, const Tree *tree, int *first)
 {
-    char error[MESSAGE];
-    ModelPart *parts;
-    int count;
     const char *path = path_of(r, tree);
-    *first = path ? find(r->scene, path, true) : -1;
-    for (int i = *first; path && i >= 0; i++)
-        if (i == r->scene->mesh_count || strcmp(r->scene->meshes[i].path, path) || r->scene->meshes[i].part < 0)
-            return i - *first;
     if (!path)
         return -1;
-    session_depend_on(r->session, path);
-    if (!model_read_parts(path, &parts, &count, error, sizeof error))
-        return fail(r, tree, error);
-    *first = r->scene->mesh_count;
-    for (int i = 0; i < count; i++)
-        add(r, (SceneMesh){.path = path, .shape = parts[i].shape, .part = parts[i].material});
-    free(parts);
-    return count;
+    const SceneMeshFile file = file_of(r, path, true);
+    *first = file.first;
+    return file.why ? fail(r, tree, file.why) : file.count;
 }

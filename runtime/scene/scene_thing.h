@@ -3,8 +3,20 @@
 #define MATC_SCENE_THING_H
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
+#include "compiler/base/names.h"
 #include "compiler/front/resolve.h"
 #include "runtime/scene/scene.h"
+
+/* The meshes of a file lie side by side in scene->meshes. `why`: it cannot be read, and was tried once. */
+typedef struct {
+    int first, count;
+    const char *why;
+} SceneMeshFile;
+typedef struct {
+    Names paths;
+    SceneMeshFile *at; /* by path */
+    size_t count, room;
+} SceneMeshFiles;
 
 /* What reading a scene keeps at hand. */
 typedef struct {
@@ -18,6 +30,8 @@ typedef struct {
     size_t inline_number;    /* of the next name */
     HashIndex inlines, used; /* the trees of those inline; places in scene->materials */
     size_t object_room, light_room, used_room, mesh_room, document_room;
+    SceneMeshFiles mesh_files[2]; /* read as a whole; read in parts */
+    Names document_paths;         /* of scene->documents */
     int *planes; /* those of the objects that are one */
     size_t plane_count, plane_room;
     const Tree *definitions; /* the document's `defs:`; NULL: there are none */

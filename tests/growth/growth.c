@@ -1,5 +1,6 @@
 /* Writes the documents of growth.def, and compiles them with the clock of this thread. */
 #include "growth.h"
+#include "compiler/front/tree.h"
 #include "compiler/ir/ir.h"
 #include "compiler/matc.h"
 #include "compiler/pipeline.h"
@@ -84,24 +85,35 @@ static const unsigned char picture[] = {
     0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00,
     0x1C, 0xB0, 0x8C, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
 
+#define TEXT(text) text, sizeof(text) - 1
 static char *read_made(void *user, const char *path, size_t *size, const char **why)
 {
-    static const char empty[] = "defs: {}\n";
+    static const struct {
+        const char *in_name, *text;
+        size_t size;
+    } files[] = {{".png", (const char *)picture, sizeof picture},
+                 {".gltf", TEXT("{\"images\":[{\"uri\":\"a.png\"}]}")},
+                 {"material", TEXT("material: RGBA\n")},
+                 {"", TEXT("defs: {}\n")}};
+    int i = 0;
     (void)user;
     *why = "it is missing";
     if (strstr(path, "missing"))
         return NULL;
-    bool png = strstr(path, ".png");
-    *size = png ? sizeof picture : sizeof empty - 1;
+    while (!strstr(path, files[i].in_name))
+        i++;
+    *size = files[i].size;
     char *bytes = malloc(*size + 1);
-    memcpy(bytes, png ? (const void *)picture : empty, *size);
+    memcpy(bytes, files[i].text, *size);
     bytes[*size] = 0;
     return bytes;
 }
 
 typedef struct {
     MatcOptions options;
-    bool eval, fit, all, json, ir, scene;
+    bool eval, fit, all, ir, scene, layout, tree;
+    const char *name; /* of the document: its ending is its format */
+    const char *mesh; /* ending of a file of a mesh; NULL: it is none */
 } Setting;
 
 static void set_option(Setting *s, const char *name, char *value)
@@ -111,7 +123,15 @@ static void set_option(Setting *s, const char *name, char *value)
     else if (!strcmp(name, "fit"))
         s->fit = true;
     else if (!strcmp(name, "json"))
-        s->json = true;
+        s->name = "growth.json";
+    else if (!strcmp(name, "gltf"))
+        s->name = "growth.gltf";
+    else if (!strcmp(name, "tree"))
+        s->name = "growth.gltf", s->tree = true;
+    else if (!strcmp(name, "mesh"))
+        s->mesh = value;
+    else if (!strcmp(name, "file"))
+        s->layout = true;
     else if (!strcmp(name, "ir"))
         s->ir = true;
     else if (!strcmp(name, "scene"))
@@ -131,7 +151,7 @@ static void set_option(Setting *s, const char *name, char *value)
 /* `words` holds the values, and lives as long as the setting. */
 static Setting setting_of(const GrowthRow *row, char *words)
 {
-    Setting s = {0};
+    Setting s = {.name = "growth.yaml"};
     matc_options_init(&s.options);
     s.options.validate = false;
     s.options.read_file = read_made;
@@ -198,6 +218,20 @@ static void fit(const MatcDocument *document, int material, const Setting *s, Gr
     free(ranges);
 }
 
+/* The document that a glTF file's materials become. */
+static void read_tree(const Setting *s, const char *text, GrowthRun *run)
+{
+    Arena arena = {0};
+    Session session = session_open(&s->options, &arena);
+    const Source source = {.name = s->name, .text = text, .size = run->read};
+    ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
+    const Tree *tree = read_document(&session, 0);
+    const Member *materials = tree ? tree_find(tree, "materials") : NULL;
+    run->written += materials ? materials->value->count : 0;
+    run->errors += session.diags.count;
+    arena_free(&arena);
+}
+
 /* The IR of the last material as text, read and written again. */
 static void read_back(const Setting *s, const char *text, GrowthRun *run)
 {
@@ -223,9 +257,19 @@ static void read_back(const Setting *s, const char *text, GrowthRun *run)
     arena_free(&arena);
 }
 
+/* A layout from its file. */
+static void read_layout(const Setting *s, const char *text, GrowthRun *run)
+{
+    MatcLayout *layout = matc_layout_read(s->name, text, run->read, &s->options);
+    run->errors += !matc_layout_ok(layout);
+    run->written += strlen(matc_layout_diagnostics(layout, MATC_TEXT));
+    run->written += matc_layout_ok(layout) ? strlen(matc_layout_text(layout)) : 0;
+    matc_layout_free(layout);
+}
+
 static void compile_document(const Setting *s, const char *text, GrowthRun *run)
 {
-    MatcDocument *document = matc_read(s->json ? "growth.json" : "growth.yaml", text, run->read, &s->options);
+    MatcDocument *document = matc_read(s->name, text, run->read, &s->options);
     run->written += strlen(matc_tree_text(document)) + (size_t)matc_depend_count(document);
     run->written += strlen(matc_diagnostics(document, MATC_TEXT)) + strlen(matc_diagnostics(document, MATC_JSON));
     run->errors += matc_error_count(document);
@@ -246,9 +290,18 @@ GrowthRun growth_run(const GrowthRow *row, int count)
     const Setting s = setting_of(row, words);
     GrowthRun run = {0};
     char *text = growth_text(row, count, &run.read);
+    if (s.mesh) {
+        growth_mesh(text, s.mesh, &run);
+        free(text);
+        return run;
+    }
     double start = now();
     if (s.ir)
         read_back(&s, text, &run);
+    else if (s.tree)
+        read_tree(&s, text, &run);
+    else if (s.layout)
+        read_layout(&s, text, &run);
     else if (s.scene)
         growth_scene(text, &s.options, &run);
     else

@@ -37,6 +37,8 @@ GrowthRun growth_run(const GrowthRow *row, int count);
 double growth_seconds(const GrowthRow *row, int count, int runs);
 /* Reads a scene, and counts what it came to; growth_scene.c. */
 void growth_scene(const char *text, const MatcOptions *options, GrowthRun *run);
+/* Writes a file of a mesh, of that ending, and reads it: CPU seconds of the process that imports it, too; growth_mesh.c. */
+void growth_mesh(const char *text, const char *ending, GrowthRun *run);
 /* A part of a row, with its number for $ and a reference to the part before it for @. */
 void growth_put_part(FILE *out, const char *part, int number);
 

@@ -1,6 +1,7 @@
 /* Documents of growth.def that are scenes. */
 #include "growth.h"
 #include "runtime/scene/scene.h"
+#include <string.h>
 
 void growth_scene(const char *text, const MatcOptions *options, GrowthRun *run)
 {
@@ -10,6 +11,7 @@ void growth_scene(const char *text, const MatcOptions *options, GrowthRun *run)
     run->written +=
         scene ? (size_t)(scene->object_count + scene->light_count + scene->material_count + scene->motion.key_count)
               : 0;
+    run->written += strlen(matc_diagnostics(document, MATC_TEXT));
     scene_free(scene);
     matc_document_free(document);
 }
