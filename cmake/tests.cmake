@@ -33,6 +33,12 @@ target_compile_options(strike PRIVATE -fno-sanitize=all)
 target_link_libraries(strike PRIVATE matc_flags ${CMAKE_DL_LIBS})
 target_link_options(strike PRIVATE -fno-sanitize=all)
 
+# Allocations that fail by count, for tests/out_of_memory.sh
+add_library(failing_malloc MODULE tests/kill/failing_malloc.c)
+target_compile_options(failing_malloc PRIVATE -fno-sanitize=all)
+target_link_libraries(failing_malloc PRIVATE matc_flags)
+target_link_options(failing_malloc PRIVATE -fno-sanitize=all)
+
 # ctest -L quick: for the inner loop, a few seconds in all
 set(QUICK golden abi embed_example functions layers locale exports test_affine test_bounded test_convert test_defaults test_exact
   test_exact_material test_filtered_pass test_ir_check test_journal_damage test_journal_forgery test_journal_undoing test_json
@@ -219,6 +225,7 @@ if(NOT SANITIZED)
   matc_test(instructions matbench instructions) # against shaders by hand
   matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>) # of depfiles alone; matc writes some under sanitizers in command_line.sh
   matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
+  matc_test(out_of_memory sh tests/out_of_memory.sh $<TARGET_FILE:matc> $<TARGET_FILE:failing_malloc>)
   matc_test(order sh tests/order.sh)
   matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
   matc_test(locale sh tests/locale.sh)

@@ -1,6 +1,7 @@
 /* The library's surface: definitions of a document and of the files that it includes, in words. */
 #include "compiler/document.h"
 #include "compiler/base/json_write.h"
+#include "compiler/base/memory.h"
 #include "compiler/describe/describe.h"
 #include "compiler/front/resolve_parameter.h"
 #include "compiler/front/resolve_definition.h"
@@ -15,7 +16,7 @@ static const char *doc_of(const Tree *tree)
 
 static char *text_given(Arena *arena, const Text *out)
 {
-    char *text = out->size ? strdup(out->at) : NULL;
+    char *text = out->size ? memory_checked(strdup(out->at)) : NULL;
     arena_free(arena);
     return text;
 }

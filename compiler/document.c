@@ -1,5 +1,6 @@
 /* The library's surface: documents. */
 #include "compiler/choice.h"
+#include "compiler/base/memory.h"
 #include "compiler/document.h"
 #include "compiler/pipeline.h"
 #include "compiler/front/resolve.h"
@@ -13,7 +14,7 @@ static MatcDocument *make(const char *name, const char *text, size_t size, const
 {
     MatcDocument *d = calloc(1, sizeof *d);
     if (!d)
-        abort();
+        memory_exhausted();
     d->options = choice_whole_options(options);
     d->session = session_open(&d->options, &d->arena);
     d->session.measure = d->options.measure;

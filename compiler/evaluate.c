@@ -1,5 +1,6 @@
 /* The library's surface: what a material is at a point. */
 #include "compiler/evaluate.h"
+#include "compiler/base/memory.h"
 #include "compiler/choice.h"
 #include "compiler/document.h"
 #include "compiler/pipeline.h"
@@ -139,7 +140,7 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
         }
         text_char(&out, '\n');
     }
-    char *result = *fault ? NULL : strdup(out.at);
+    char *result = *fault ? NULL : memory_checked(strdup(out.at));
     arena_free(&arena);
     return result;
 }

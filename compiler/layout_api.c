@@ -1,5 +1,6 @@
 /* The library's surface: layouts from files, and from the ranges of a set's materials. */
 #include "compiler/describe/describe.h"
+#include "compiler/base/memory.h"
 #include "compiler/layout/auto_layout.h"
 #include "compiler/layout/layout_read.h"
 #include "compiler/choice.h"
@@ -23,7 +24,7 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
 {
     MatcLayout *layout = calloc(1, sizeof *layout);
     if (!layout)
-        abort();
+        memory_exhausted();
     layout->options = choice_whole_options(options);
     Session *session = &layout->session;
     *session = (Session){.options = &layout->options, .arena = &layout->arena};
@@ -41,7 +42,7 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
 {
     MatcLayout *layout = calloc(1, sizeof *layout);
     if (!layout)
-        abort();
+        memory_exhausted();
     layout->options = choice_whole_options(options);
     layout->session = (Session){.options = &layout->options, .arena = &layout->arena};
     if (ranges->materials) {
@@ -85,7 +86,7 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     if (fine)
         matc_ranges_join(ranges, &one);
     else if (!(*fault = strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material")))
-        abort();
+        memory_exhausted();
     arena_free(&arena);
     return fine;
 }

@@ -12,7 +12,8 @@
  *     matc_document_free(document);
  *
  * No global state, no printing, no exit: any number of threads may work at once, each with its own documents; one document
- * may be compiled by several threads. Only running out of memory ends the process, by abort().
+ * may be compiled by several threads. Only running out of memory ends the process: "matc: out of memory" on standard error,
+ * then abort().
  *
  * Every function answers every call. Of an index beyond what a count tells, a document with faults, a program or a layout that is not ok, pointers are
  * NULL, numbers 0, answers false, where nothing else is said. Options may be NULL: the defaults. Other pointers may be NULL where it is said, and those that

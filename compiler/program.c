@@ -1,5 +1,6 @@
 /* Programs: a material's IR, and what it needs. program_outputs.c writes it. */
 #include "compiler/program.h"
+#include "compiler/base/memory.h"
 #include "compiler/choice.h"
 #include "compiler/layout/layout.h"
 #include "compiler/emit/texture.h"
@@ -75,7 +76,7 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
 {
     MatcProgram *p = calloc(1, sizeof *p);
     if (!p)
-        abort();
+        memory_exhausted();
     p->options = choice_whole_options(options);
     p->options.compute |= (outputs & MATC_COMPUTE) != 0;
     p->document = d;

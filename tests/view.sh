@@ -12,6 +12,30 @@ example=examples/checker.yaml
 differ() { test -s "$work/$1.png" -a -s "$work/$2.png" && ! cmp -s "$work/$1.png" "$work/$2.png"; }
 same() { cmp -s "$work/$1.png" "$work/$2.png"; }
 
+# -- outputs that cannot be what was asked for
+
+mkdir "$work/one" "$work/other"
+cp $example "$work/one/same.yaml"
+cp examples/wood.yaml "$work/other/same.yaml"
+check "two documents of one name into one folder" status 1 $draw -d "$work/drawn" "$work/one/same.yaml" "$work/other/same.yaml"
+check "are told apart" says "drawn/same.png: this picture was drawn from .*one/same.yaml"
+check "the first is kept" status 0 $draw -o "$work/first.png" "$work/one/same.yaml"
+check "as it was drawn" cmp -s "$work/first.png" "$work/drawn/same.png"
+check "a document twice" status 0 $draw -d "$work/drawn" "$work/one/same.yaml" "$work/one/same.yaml"
+closed() { "$@" >&-; }
+full() { "$@" >/dev/full; }
+for stream in closed full; do
+    $stream $draw -o - $example 2>"$work/stderr"
+    check "a picture for a $stream standard output fails" test $? = 1
+    check "and says so" says '^matview: error: -: '
+    $stream $draw -d "$work/drawn" $example 2>"$work/stderr"
+    check "the list of pictures as well" test $? = 1
+    check "and says so" says '^matview: error: standard output: '
+done
+check "a temporary folder that takes nothing" sh -c "mkdir '$work/bare' && TMPDIR='$work/none' $draw -d '$work/bare' $example"
+(ulimit -v 200000 && $draw -d "$work/bare" $example) 2>"$work/stderr"
+check "no memory for the driver is no missing driver" says 'osmesa: .*: failed to map segment\|Cannot allocate memory'
+
 # -- what each option does
 
 check "a picture" status 0 $draw $example -o "$work/plain.png"

@@ -1,5 +1,6 @@
 /* Bump allocation in blocks that double in size. */
 #include "compiler/base/arena.h"
+#include "compiler/base/memory.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,10 +25,10 @@ static void add_block(Arena *arena, size_t least)
     if (size < least)
         size = least;
     if (size > SIZE_MAX - 2 * sizeof(ArenaBlock))
-        abort();
+        memory_exhausted();
     ArenaBlock *block = malloc(aligned(sizeof *block) + size);
     if (!block)
-        abort();
+        memory_exhausted();
     block->older = arena->block;
     block->size = size;
     arena->block = block;
@@ -38,7 +39,7 @@ static void add_block(Arena *arena, size_t least)
 void *arena_alloc(Arena *arena, size_t size)
 {
     if (size > SIZE_MAX / 2)
-        abort();
+        memory_exhausted();
     size = aligned(size ? size : 1);
     if ((size_t)(arena->end - arena->next) < size)
         add_block(arena, size);

@@ -1,4 +1,4 @@
-/* Memory that is given back all at once. Nothing is freed singly. Out of memory ends the program by abort(). */
+/* Memory that is given back all at once. Nothing is freed singly. Out of memory ends the process: memory.h. */
 #ifndef MATC_ARENA_H
 #define MATC_ARENA_H
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* Rows of bytes. */
 #include "compiler/base/bytes.h"
+#include "compiler/base/memory.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +10,7 @@ void bytes_add(Bytes *bytes, const void *from, size_t size)
         bytes->room = 2 * bytes->room + size + 64;
         bytes->at = realloc(bytes->at, bytes->room);
         if (!bytes->at)
-            abort();
+            memory_exhausted();
     }
     if (size)
         memcpy(bytes->at + bytes->size, from, size);

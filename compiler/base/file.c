@@ -1,5 +1,6 @@
 /* Reading whole files. */
 #include "compiler/base/file.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/session.h"
 #include "compiler/base/text.h"
 #include <errno.h>
@@ -20,7 +21,7 @@ static char *resized(char *text, size_t room)
 {
     char *more = realloc(text, room);
     if (!more)
-        abort();
+        memory_exhausted();
     return more;
 }
 

@@ -1,5 +1,6 @@
 /* Open addressing: a thing is in the slot of its hash, or in the first one behind it that was free. */
 #include "compiler/base/hash_index.h"
+#include "compiler/base/memory.h"
 #include <stdlib.h>
 
 enum { FIRST_SLOTS = 64 };
@@ -8,7 +9,7 @@ static HashSlot *new_slots(Arena *arena, size_t count)
 {
     HashSlot *slots = arena ? ARENA_ARRAY(arena, HashSlot, count) : calloc(count, sizeof *slots);
     if (!slots)
-        abort();
+        memory_exhausted();
     return slots;
 }
 

@@ -1,5 +1,6 @@
 /* Writing files, whole or not at all, and what they hold. */
 #include "compiler/base/output.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -37,7 +38,7 @@ static const char *write_directly(const char *path, const void *bytes, size_t si
         return text_error(errno);
     FILE *file = fdopen(number, "wb");
     if (!file)
-        abort();
+        memory_exhausted();
     const char *why = write_to(file, bytes, size);
     if (fclose(file) && !why)
         why = text_error(errno);
@@ -56,6 +57,13 @@ Staging *outputs_open(Outputs *o, const char *folder, unsigned how, const char *
     if (staging)
         o->stagings[o->count++] = staging;
     return staging;
+}
+
+void output_hold_streams(void)
+{
+    for (int number = STDIN_FILENO; number <= STDERR_FILENO; number++)
+        if (fcntl(number, F_GETFD) < 0)
+            (void)!open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY); /* the lowest number that is free */
 }
 
 const char *outputs_put(Outputs *o, const char *path, const void *bytes, size_t size)
@@ -137,7 +145,7 @@ char *output_ktx(const MatcTexture *t, size_t *file_size)
     const uint32_t size = (uint32_t)(padded * (size_t)t->height);
     unsigned char *file = calloc(1, KTX_HEADER + sizeof size + size);
     if (!file)
-        abort();
+        memory_exhausted();
     fill_ktx_header(t, file);
     memcpy(file + KTX_HEADER, &size, sizeof size);
     const unsigned char *texels = t->floats ? (const unsigned char *)t->floats : t->bytes;

@@ -22,6 +22,9 @@ const char *outputs_commit(Outputs *outputs);
 void outputs_close(Outputs *outputs);
 /* All that with one file. */
 const char *output_write(const char *path, const void *bytes, size_t size);
+/* Gives each of the descriptors 0 to 2 that is closed a stand-in that neither reads nor writes. Without it the next
+ * file to be opened would be standard output, and a picture for it would be written into itself. */
+void output_hold_streams(void);
 /* A texture as a KTX 1 file (row 0 is v = 0), from malloc. */
 char *output_ktx(const MatcTexture *texture, size_t *size);
 #endif

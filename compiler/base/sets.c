@@ -1,5 +1,6 @@
 /* Hash indices over growing arrays. */
 #include "compiler/base/sets.h"
+#include "compiler/base/memory.h"
 #include <stdlib.h>
 #include <string.h>
 #define XXH_INLINE_ALL
@@ -11,7 +12,7 @@ void *sets_resize(void *memory, size_t size)
 {
     void *more = realloc(memory, size ? size : 1);
     if (!more)
-        abort();
+        memory_exhausted();
     return more;
 }
 

@@ -1,5 +1,6 @@
 /* A thread as a stack: nothing runs beside it. */
 #include "compiler/base/stack.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/session.h"
 #include <pthread.h>
 #include <signal.h>
@@ -41,7 +42,7 @@ void stack_run(int depth, void (*run)(void *user), void *user)
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before); /* the thread inherits it */
     if (!start(&thread, &call, (LEAST_KIB + (size_t)depth * LIMIT_LEVEL_KIB) * 1024))
-        abort();
+        memory_exhausted();
     pthread_join(thread, NULL);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
 }

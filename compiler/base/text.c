@@ -1,5 +1,6 @@
 /* Growing texts, and numbers in them, free of the locale: what the C library does by it is done here, in the "C" locale. */
 #include "compiler/base/text.h"
+#include "compiler/base/memory.h"
 #include <float.h>
 #include <locale.h>
 #include <math.h>
@@ -19,7 +20,7 @@ static Locale enter(void)
 {
     Locale locale = {newlocale(LC_ALL_MASK, "C", (locale_t)0), (locale_t)0};
     if (!locale.plain)
-        abort();
+        memory_exhausted();
     locale.before = uselocale(locale.plain);
     return locale;
 }

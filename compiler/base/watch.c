@@ -2,6 +2,7 @@
  * over files) only say when to look, and that a file was written which looks as before. Every second all are looked at anyway:
  * notices do not come over networks, through links, or when a folder further up is moved. */
 #include "compiler/base/watch.h"
+#include "compiler/base/memory.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -109,7 +110,7 @@ static void ask(Watch *watch)
         size_t size = (size_t)(file->name - file->path);
         char *folder = malloc(size + 1);
         if (!folder)
-            abort();
+            memory_exhausted();
         memcpy(folder, file->path, size);
         folder[size > 1 ? size - 1 : size] = 0; /* "/" stays */
         file->notices = ask_for_folder(watch->notices, folder);
@@ -180,11 +181,11 @@ void watch_list_add(WatchList *list, const char *file)
         list->room = list->room ? 2 * list->room : 64;
         list->at = realloc(list->at, (size_t)list->room * sizeof *list->at);
         if (!list->at)
-            abort();
+            memory_exhausted();
     }
     list->at[list->count] = strdup(file);
     if (!list->at[list->count++])
-        abort();
+        memory_exhausted();
 }
 
 void watch_list_free(WatchList *list)
@@ -199,7 +200,7 @@ Watch *watch_open(void)
 {
     Watch *watch = calloc(1, sizeof *watch);
     if (!watch)
-        abort();
+        memory_exhausted();
     watch->notices = -1;
     clock_gettime(CLOCK_REALTIME, &watch->since);
     return watch;
@@ -228,7 +229,7 @@ static const File **sorted_files(const Watch *watch)
 {
     const File **sorted = malloc(((size_t)watch->count + 1) * sizeof *sorted);
     if (!sorted)
-        abort();
+        memory_exhausted();
     for (int i = 0; i < watch->count; i++)
         sorted[i] = &watch->files[i];
     qsort(sorted, (size_t)watch->count, sizeof *sorted, by_path);
@@ -247,12 +248,12 @@ void watch_set(Watch *watch, const char *const *paths, int count)
     File *files = calloc((size_t)count + 1, sizeof *files);
     const File **old = sorted_files(watch);
     if (!files)
-        abort();
+        memory_exhausted();
     for (int i = 0; i < count; i++) {
         File *file = &files[i], *key = file;
         file->path = strdup(paths[i]);
         if (!file->path)
-            abort();
+            memory_exhausted();
         const char *slash = strrchr(file->path, '/');
         file->name = slash ? slash + 1 : file->path;
         file->notices = -1;

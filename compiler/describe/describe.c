@@ -1,5 +1,6 @@
 /* Rows of the tables as text. */
 #include "compiler/describe/describe.h"
+#include "compiler/base/memory.h"
 #include "grammar/unit_table.h"
 #include <math.h>
 #include <stdlib.h>
@@ -210,7 +211,7 @@ char *describe_finish(Text *text)
 {
     char *copy = strdup(text->at ? text->at : "");
     if (!copy)
-        abort();
+        memory_exhausted();
     arena_free(text->arena);
     return copy;
 }

@@ -1,5 +1,6 @@
 /* PNG files, by libpng. Of 16 bits a lane all are kept, of fewer each lane becomes a byte. */
 #include "compiler/front/image_file.h"
+#include "compiler/base/memory.h"
 #include <png.h>
 #include <setjmp.h>
 #include <stdlib.h>
@@ -113,7 +114,7 @@ const char *image_png(ImageFile *file)
     d->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, d, on_error, on_warning);
     d->info = d->png ? png_create_info_struct(d->png) : NULL;
     if (!d->info)
-        abort(); /* out of memory */
+        memory_exhausted();
     png_set_read_fn(d->png, d, on_read);
     read_picture(d);
     png_destroy_read_struct(&d->png, &d->info, NULL);

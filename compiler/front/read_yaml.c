@@ -1,5 +1,6 @@
 /* YAML -> Tree: libyaml's events become values. An alias shares its anchor's node, so nothing is ever expanded. */
 #include "compiler/front/read.h"
+#include "compiler/base/memory.h"
 #include "compiler/front/read_mistake.h"
 #include <stdlib.h>
 #include <string.h>
@@ -64,6 +65,8 @@ static bool next_event(Reader *r, yaml_event_t *event)
 {
     if (yaml_parser_parse(&r->parser, event))
         return true;
+    if (r->parser.error == YAML_MEMORY_ERROR)
+        memory_exhausted();
     const char *problem = r->parser.problem ? r->parser.problem : "not YAML";
     yaml_mark_t mark = r->parser.problem_mark;
     uint32_t at = offset_of(r, mark);
@@ -307,7 +310,7 @@ Tree *read_yaml(TreeBuilder *b)
     Reader reader = {.b = b, .session = b->session};
     map_characters(&reader, source);
     if (!yaml_parser_initialize(&reader.parser))
-        abort(); /* out of memory */
+        memory_exhausted();
     yaml_parser_set_encoding(&reader.parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&reader.parser, (const unsigned char *)source->text + b->start,
                                  source->size - b->start);

@@ -1,5 +1,6 @@
 /* Parts -> Tree: values, texts, lists and objects as the readers of YAML and JSON meet them. */
 #include "compiler/front/tree_build.h"
+#include "compiler/base/memory.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,7 +49,7 @@ void *tree_build_room(void *stack, size_t count, size_t *room, size_t size)
     *room = *room ? 2 * *room : 64;
     stack = realloc(stack, *room * size);
     if (!stack)
-        abort();
+        memory_exhausted();
     return stack;
 }
 

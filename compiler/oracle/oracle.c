@@ -1,5 +1,6 @@
 /* The oracle's core: surface points, environments with their memo, and delegation (semantics.md, section 1). */
 #include "compiler/oracle/oracle.h"
+#include "compiler/base/memory.h"
 #include "compiler/oracle/oracle_maps.h"
 #include "runtime/library/references.h"
 #include <assert.h>
@@ -81,7 +82,7 @@ Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
 {
     Oracle *oracle = calloc(1, sizeof *oracle);
     if (!oracle)
-        abort();
+        memory_exhausted();
     oracle->graph = graph;
     oracle->context = *context;
     oracle_derivatives(oracle, CHOICE_derivatives_auto);

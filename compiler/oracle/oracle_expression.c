@@ -1,5 +1,6 @@
 /* Expression: its formula in double precision, by the VALUE lines of expression.def. */
 #include "compiler/formula/formula.h"
+#include "compiler/base/memory.h"
 #include "compiler/oracle/oracle_maps.h"
 #include "runtime/library/references.h"
 #include <math.h>
@@ -88,7 +89,7 @@ static void value_of(Environment *environment, const Node *node, double result[4
     FormulaPoint point = {.noise = &oracle->context};
     double(*values)[4] = malloc((f->count + (size_t)inputs) * sizeof *values);
     if (!values)
-        abort();
+        memory_exhausted();
     memset(values, 0, (f->count + (size_t)inputs) * sizeof *values);
     bool known[QUANTITY_COUNT] = {false};
     for (size_t i = 0; i < f->count; i++) {

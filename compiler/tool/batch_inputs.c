@@ -1,5 +1,6 @@
 /* What a batch is made from: all of its files, and those of them that lie in its own folder, which no output may replace. */
 #include "compiler/tool/batch_state.h"
+#include "compiler/base/memory.h"
 #include "compiler/tool/layout_option.h"
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +23,7 @@ static bool lies_in(const char *path, size_t size, const struct stat *folder)
     struct stat info;
     char *name = size ? strndup(path, size) : sets_copy(".");
     if (!name)
-        abort();
+        memory_exhausted();
     bool same = !stat(name, &info) && info.st_dev == folder->st_dev && info.st_ino == folder->st_ino;
     free(name);
     return same;

@@ -1,6 +1,7 @@
 /* The cache's entries: found, read and checked, written and renamed. */
 #define XXH_INLINE_ALL
 #include "compiler/tool/cache_folder.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -52,7 +53,7 @@ static bool make_folders(const char *path)
 {
     char *copy = strdup(path);
     if (!copy)
-        abort();
+        memory_exhausted();
     for (char *slash = strchr(copy + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = 0;
         mkdir(copy, PASSABLE); /* what failed shows at the last one */
@@ -84,7 +85,7 @@ Cache *cache_open(const char *path, uint64_t limit_bytes, const char **why)
     }
     Cache *cache = calloc(1, sizeof *cache);
     if (!cache)
-        abort();
+        memory_exhausted();
     cache->folder = folder;
     cache->limit = limit_bytes;
     if (getrandom(&cache->mark, sizeof cache->mark, GRND_NONBLOCK) != sizeof cache->mark)
@@ -113,7 +114,7 @@ static char *read_entry(int file, Key key, size_t *size)
     size_t length = (size_t)info.st_size - sizeof header;
     char *bytes = malloc(length + 1);
     if (!bytes)
-        abort();
+        memory_exhausted();
     const struct iovec parts[] = {{&header, sizeof header}, {bytes, length}};
     ssize_t got = readv(file, parts, 2);
     if (got == (ssize_t)info.st_size) {

@@ -1,6 +1,7 @@
 /* The cache's folder: the file of counts, and trimming by least recent use, which is the time of modification. Only files with
  * names that the cache gives are ever removed. */
 #include "compiler/tool/cache_folder.h"
+#include "compiler/base/memory.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -137,7 +138,7 @@ static void push(Entries *entries, const char *above, const char *name, const st
         entries->room = entries->room ? 2 * entries->room : 1024;
         entries->at = realloc(entries->at, entries->room * sizeof *entries->at);
         if (!entries->at)
-            abort();
+            memory_exhausted();
     }
     Entry *entry = &entries->at[entries->count++];
     *entry = (Entry){.used = info->st_mtim, .size = (uint64_t)info->st_size};
@@ -233,7 +234,7 @@ char *cache_statistics(const char *path)
     if (folder < 0)
         return NULL;
     if (!text)
-        abort();
+        memory_exhausted();
     const CacheCounts sums = cache_counts(folder);
     const CacheTrim now = cache_sum(folder);
     close(folder);

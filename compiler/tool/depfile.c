@@ -3,6 +3,7 @@
  * and `$` is there twice: `a b#1$.yaml` is `a\ b\#1$$.yaml`. No other character can be written so that both read it: ninja takes
  * `\;` for two characters, and ends the name at a bare `;`. tests/depfile.sh asks both for every character. */
 #include "compiler/tool/depfile.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/text.h"
 #include <stdbool.h>
 #include <stdio.h>
@@ -102,7 +103,7 @@ char *depfile_text(const char *target, const char *const *files, int count, cons
     int first = check(target, files, count, bad);
     FILE *out = first < 0 ? NULL : open_memstream(&text, &size);
     if (!out && first >= 0)
-        abort(); /* out of memory */
+        memory_exhausted();
     if (!out)
         return NULL;
     put_escaped(out, target);
@@ -114,6 +115,6 @@ char *depfile_text(const char *target, const char *const *files, int count, cons
             put_file(out, files[i], false);
     fputc('\n', out);
     if (fclose(out))
-        abort();
+        memory_exhausted();
     return text;
 }

@@ -1,6 +1,7 @@
 /* The layout of a command line: a file that is read, or one that is made for all materials of all documents. */
 #include "compiler/tool/layout_option.h"
 #include "compiler/base/file.h"
+#include "compiler/base/memory.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@ static void fail(char **fault, const char *format, ...)
     va_list args;
     va_start(args, format);
     if (vasprintf(fault, format, args) < 0)
-        abort();
+        memory_exhausted();
     va_end(args);
 }
 

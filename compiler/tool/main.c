@@ -1,6 +1,7 @@
 /* matc's command line: reads files, calls the library, writes what it made. Only the files main*.c print, and main() alone exits. */
 #include "compiler/tool/main.h"
 #include "compiler/base/session.h"
+#include "compiler/base/output.h"
 #include "compiler/base/text.h"
 #include "compiler/base/watch.h"
 #include "compiler/tool/batch.h"
@@ -276,6 +277,7 @@ int main(int argc, char **argv)
     BatchResult result;
     const char *fault;
     int status = FINE;
+    output_hold_streams();
     arena_keep_pages();
     if (!read_command_line(&line, argc, argv, &fault)) {
         status = main_usage(&line, fault);

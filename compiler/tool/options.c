@@ -1,5 +1,6 @@
 /* The command line: one table of options. */
 #include "compiler/tool/options_fault.h"
+#include "compiler/base/memory.h"
 #include "compiler/tool/options_input.h"
 #include "compiler/choice.h"
 #include "compiler/base/file.h"
@@ -334,7 +335,7 @@ static bool read_passes(CommandLine *line, const char **fault)
     const char *list = line->compile.pass ? line->compile.pass : "gbuffer";
     char *at = line->pass_list = strdup(list);
     if (!at)
-        abort();
+        memory_exhausted();
     *fault = "--pass names too many passes";
     for (char *next; at; at = next) {
         if ((next = strchr(at, ',')))

@@ -1,6 +1,7 @@
 /* The documents that a command line names. */
 #include "compiler/tool/options_input.h"
 #include "compiler/base/file.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/text.h"
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +12,7 @@ void options_add_input(CommandLine *line, const char *path)
     if (line->input_count % STEP == 0) {
         line->inputs = realloc(line->inputs, sizeof *line->inputs * (size_t)(line->input_count + STEP));
         if (!line->inputs)
-            abort();
+            memory_exhausted();
     }
     line->inputs[line->input_count++] = path;
 }
@@ -30,7 +31,7 @@ bool options_read_list(CommandLine *line, const char *path, const char **fault)
     line->lists = realloc(line->lists, sizeof *line->lists * (size_t)(line->list_count + 1));
     line->list_texts = realloc(line->list_texts, sizeof *line->list_texts * (size_t)(line->list_count + 1));
     if (!line->lists || !line->list_texts)
-        abort();
+        memory_exhausted();
     line->lists[line->list_count] = path;
     line->list_texts[line->list_count++] = text;
     for (char *at = text, *end; *at; at = end) {

@@ -1,5 +1,6 @@
 /* Writing what was made of one material. */
 #include "compiler/tool/single.h"
+#include "compiler/base/memory.h"
 #include "compiler/tool/depfile.h"
 #include "compiler/base/file.h"
 #include "compiler/tool/layout_option.h"
@@ -66,7 +67,7 @@ static char *make_depfile(const CommandLine *line, const MatcDocument *document,
     const char *to = line->output ? line->output : "-", *bad;
     const char **files = calloc((size_t)matc_depend_count(document) + 1, sizeof *files);
     if (!files)
-        abort();
+        memory_exhausted();
     char *text = depfile_text(line->target ? line->target : to, files, list_files(line, document, files), &bad);
     if (!text)
         snprintf(path, SINGLE_PATH, "%s", bad);

@@ -16,13 +16,16 @@ typedef struct {
     unsigned char window[4]; /* OSMesa wants a window: one pixel, which nobody draws to */
 } Osmesa;
 
-static void *open_library(void)
+/* The loader's reason is kept: a library that is there may fail for want of memory. */
+static void *open_library(char *error, size_t room)
 {
     static const char *const names[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         void *library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
         if (library)
             return library; /* never closed: LLVM's destructors do not survive an unload, and a next dlopen is free */
+        if (i == 0)
+            message_fail(error, room, "%s (Debian: libosmesa6)", dlerror());
     }
     return NULL;
 }
@@ -86,9 +89,9 @@ static void osmesa_close(void *state)
 
 static bool start(Osmesa *o, bool core, char *error, size_t room)
 {
-    void *library = open_library();
+    void *library = open_library(error, room);
     if (!library)
-        return message_fail(error, room, "no libOSMesa.so.8 or .6 found (Debian: libosmesa6)");
+        return false;
     if (!find_all(o, library))
         return message_fail(error, room, "libOSMesa is older than Mesa 11.2");
     o->context = create(o, core);

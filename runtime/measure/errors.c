@@ -1,4 +1,5 @@
 #include "runtime/measure/errors.h"
+#include "compiler/base/memory.h"
 #include "runtime/gl/message.h"
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +14,7 @@ static void *grow(void *list, int count, int *room, size_t size)
     *room = *room ? 2 * *room : 16;
     list = realloc(list, (size_t)*room * size);
     if (!list)
-        abort();
+        memory_exhausted();
     return list;
 }
 
@@ -21,7 +22,7 @@ void *errors_room(size_t count, size_t size)
 {
     void *memory = calloc(count ? count : 1, size);
     if (!memory)
-        abort();
+        memory_exhausted();
     return memory;
 }
 
@@ -169,7 +170,7 @@ static const Known *learn(Errors *e, const Variant *variant, int slot, MatcProgr
     const char *fragment = matc_output(program, MATC_FRAGMENT, NULL);
     Known known = {strdup(fragment), slot, truth_index(variant), {NAN, NAN}, {NAN, NAN}};
     if (!known.fragment)
-        abort();
+        memory_exhausted();
     if (meter_make_material(e->meter, program, &material)) {
         known.computed = find_computed(e, variant, slot, &material);
         known.aliased = is_constant(fragment) ? (Distance){0, 0} : find_aliased(e, variant, slot, &material);

@@ -1,5 +1,6 @@
 /* Tables, plots and choices. */
 #include "runtime/measure/pareto.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/output.h"
 #include "runtime/measure/plot.h"
 #include "runtime/gl/message.h"
@@ -15,7 +16,7 @@ static PlotPoint *make_points(const MeasuredList *list, bool aliasing, char (*na
 {
     PlotPoint *points = calloc((size_t)list->count + 1, sizeof *points);
     if (!points)
-        abort();
+        memory_exhausted();
     for (int i = 0; i < list->count; i++) {
         const Measured *m = &list->at[i];
         variant_name(&m->variant, &list->at[0].variant, names[i]);
@@ -33,7 +34,7 @@ char *pareto_svg(const MeasuredList *list, const char *title, const GlContext *g
     char note[512];
     char(*names)[VARIANT_NAME] = calloc((size_t)list->count + 1, sizeof *names);
     if (!names)
-        abort();
+        memory_exhausted();
     PlotPoint *errors = make_points(list, false, names), *aliasing = make_points(list, true, names);
     snprintf(note, sizeof note, "%d variants on %s; the time of a constant colour is subtracted", list->count,
              gl->renderer);
@@ -167,7 +168,7 @@ static char *explain(const MeasuredList *list, int chosen, double most, const Va
     const Measured *m = &list->at[chosen];
     FILE *out = open_memstream(&text, &size);
     if (!out)
-        abort();
+        memory_exhausted();
     chosen_name(m, open, name);
     fprintf(out, "chosen: %s, because it is the fastest of %d within %g: %.3f ns/pixel, error %.3g (%s), on %s\n", name,
             list->count, most, m->nanoseconds, m->error, worst_slot(m), meter->gl->renderer);

@@ -1,5 +1,6 @@
 /* The library's surface: what scene.h and render.h offer, for a host that sees neither. */
 #include "runtime/render/matc_render.h"
+#include "compiler/base/memory.h"
 #include "runtime/frame/frame.h"
 #include "runtime/gl/message.h"
 #include "runtime/render/render.h"
@@ -28,7 +29,7 @@ MatcScene *matc_scene_read(const char *name, const char *text, size_t size, cons
     MatcOptions defaults;
     MatcScene *made = calloc(1, sizeof *made);
     if (!made)
-        abort();
+        memory_exhausted();
     matc_options_init(&defaults);
     defaults.pixels = true;
     *document = scene_read(name, text, size, options ? options : &defaults, &made->scene);
@@ -78,7 +79,7 @@ MatcRender *matc_render_open(const MatcRenderOptions *options, char *error, size
     MatcRenderOptions whole = {0};
     MatcRender *r = calloc(1, sizeof *r);
     if (!r)
-        abort();
+        memory_exhausted();
     memcpy(&whole, options, options->size < sizeof whole ? options->size : sizeof whole);
     if (whole.load ? open_render(r, &whole, error, room) : message_fail(error, room, "no function that loads is given"))
         return r;

@@ -1,5 +1,6 @@
 /* What runs, in words: the passes and their targets, and what they took. */
 #include "compiler/base/session.h"
+#include "compiler/base/memory.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/gl/clock.h"
 #include "runtime/indirect/indirect.h"
@@ -247,7 +248,7 @@ static char *finish(Text *out)
 {
     char *copy = strdup(out->at);
     if (!copy)
-        abort();
+        memory_exhausted();
     arena_free(out->arena);
     return copy;
 }

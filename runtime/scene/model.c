@@ -1,6 +1,7 @@
 /* A file of a mesh may be anybody's, and the library that reads it is large: it runs in a process of its own, with an end to its time and
  * memory, and what comes back through a pipe is checked like the file itself. So a file that breaks the reader is a fault like others. */
 #include "runtime/scene/model.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/text.h"
 #include "runtime/gl/message.h"
 #include "runtime/scene/model_divide.h"
@@ -132,7 +133,7 @@ static bool receive_extras(int pipe, const Head *head, Shape *shape)
             continue;
         shape->extra[i] = calloc((size_t)head->vertex_count + 1, sizeof *shape->extra[i]);
         if (!shape->extra[i])
-            abort();
+            memory_exhausted();
         if (!receive_all(pipe, shape->extra[i], (size_t)head->vertex_count * sizeof *shape->extra[i]))
             return false;
         for (int k = 0; k < 4 * head->vertex_count; k++)
@@ -159,7 +160,7 @@ static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
                      .vertex_count = head->vertex_count,
                      .index_count = head->index_count};
     if (!shape->vertices || !shape->indices || !*runs)
-        abort();
+        memory_exhausted();
     return receive_all(pipe, shape->vertices, (size_t)head->vertex_count * sizeof *shape->vertices) &&
            receive_all(pipe, shape->indices, (size_t)head->index_count * sizeof *shape->indices) &&
            receive_all(pipe, *runs, (size_t)head->run_count * sizeof **runs) && are_whole(*runs, head) &&

@@ -2,6 +2,7 @@
  * it is given the file with the materials' numbers for names.
  *     "materials": [{ "name": "Bark" }, {}]     becomes     "materials": [{ "name": "0" }, { "name": "1" }] */
 #include "runtime/scene/model_number.h"
+#include "compiler/base/memory.h"
 #include "compiler/front/gltf_chunks.h"
 #include <cjson/cJSON.h>
 #include <stdio.h>
@@ -48,7 +49,7 @@ char *model_number_binary(const char *bytes, size_t size, size_t *made)
                  left = size - (size_t)(rest - bytes);
     char *glb = malloc(HEAD + whole + left);
     if (!glb)
-        abort();
+        memory_exhausted();
     *made = HEAD + whole + left;
     memcpy(glb, bytes, HEAD);
     put_word(glb + 8, *made);

@@ -3,6 +3,7 @@
  * primitive, from 1 on: where all of these are 0, assimp takes them for two numbers).
  *     "attributes": { "POSITION": 0, "TEXCOORD_0": 1, "_WETNESS": 2 }     becomes     { "POSITION": 0, "TEXCOORD_0": 1, "_WETNESS": 2, "TEXCOORD_1": 3 } */
 #include "runtime/scene/model_attributes.h"
+#include "compiler/base/memory.h"
 #include "runtime/scene/model_number.h"
 #include <cjson/cJSON.h>
 #include <stdio.h>
@@ -35,7 +36,7 @@ static void put_numbers(Numbers *n, size_t vertices, int primitive)
         n->room = 2 * n->room + vertices;
         n->numbers = realloc(n->numbers, n->room * sizeof *n->numbers);
         if (!n->numbers)
-            abort();
+            memory_exhausted();
     }
     for (size_t i = 0; i < vertices; i++) {
         float *number = n->numbers[n->count++];
@@ -79,7 +80,7 @@ static char *make_uri(const Numbers *n)
     const size_t size = n->count * sizeof *n->numbers;
     char *uri = malloc(sizeof data + size / 3 * 4), *to = uri;
     if (!uri)
-        abort();
+        memory_exhausted();
     memcpy(to, data, sizeof data);
     to += sizeof data - 1;
     for (size_t i = 0; i < size; i += 3, to += 4) {
@@ -131,7 +132,7 @@ bool model_number_vertices(cJSON *json)
     n.view = cJSON_GetArraySize(views);
     n.accessors = calloc((size_t)cJSON_GetArraySize(n.list) + 1, sizeof *n.accessors);
     if (!n.accessors)
-        abort();
+        memory_exhausted();
     const bool some = number_meshes(&n, cJSON_GetObjectItemCaseSensitive(json, "meshes"));
     if (some)
         add_buffer(&n, views, buffers);

@@ -1,6 +1,7 @@
 /* The files that assimp opens: that of the mesh, and those that it names. */
 #include "runtime/scene/model_open.h"
 #ifdef MATC_ASSIMP
+#include "compiler/base/memory.h"
 #include "compiler/base/text.h"
 #include "runtime/scene/model_number.h"
 #include <assimp/cfileio.h>
@@ -65,7 +66,7 @@ static void number_file(ModelFile *opened, bool binary)
 {
     char *text = malloc(opened->size + 1);
     if (!text)
-        abort();
+        memory_exhausted();
     size_t size = fread(text, 1, opened->size, opened->file);
     opened->text = binary ? model_number_binary(text, size, &size) : model_number_text(text, size);
     if (opened->text && !binary)
@@ -85,7 +86,7 @@ static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, 
     (void)files, (void)mode;
     ModelFile *opened = calloc(1, sizeof *opened);
     if (!opened)
-        abort();
+        memory_exhausted();
     opened->calls = (struct aiFile){read_some, write_nothing, tell, size_of, seek, flush_nothing, NULL};
     opened->file = open_file(path, &opened->size);
     if (opened->file) {

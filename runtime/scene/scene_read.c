@@ -1,5 +1,6 @@
 /* Text -> Scene: the document's outermost level. */
 #include "compiler/document.h"
+#include "compiler/base/memory.h"
 #include "runtime/scene/scene_part.h"
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_stand.h"
@@ -213,7 +214,7 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size, const 
     r.resolver.session = r.session;
     r.scene = calloc(1, sizeof *r.scene);
     if (!r.scene)
-        abort();
+        memory_exhausted();
     r.scene->time = document->options.time;
     ARENA_PUSH(r.session->arena, r.asides, r.aside_count, r.aside_room, ((SceneMaterial){NULL, 0}));
     read_scene(&r, tree);

@@ -1,5 +1,6 @@
 /* From arguments to a Command. */
 #include "runtime/view/command.h"
+#include "compiler/base/memory.h"
 #include "runtime/gl/png_write.h"
 #include "compiler/base/text.h"
 #include "compiler/choice.h"
@@ -197,7 +198,7 @@ const char *command_read(Command *command, int argc, char **argv)
     bool only_files = false;
     command->inputs = calloc((size_t)argc + 1, sizeof *command->inputs);
     if (!command->inputs)
-        abort();
+        memory_exhausted();
     for (int i = 1; i < argc && !fault; i++) {
         if (!only_files && !strcmp(argv[i], "--"))
             only_files = true;

@@ -1,5 +1,6 @@
 /* Scenes of materials one after the other, and params by the names that documents have for them. */
 #include "runtime/view/material_picture.h"
+#include "compiler/base/memory.h"
 #include "runtime/gl/message.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,7 +75,7 @@ static bool fail(const MaterialPictures *p, MaterialSaid *said)
 {
     MatcProgram *program = compile(p, MATC_FRAGMENT);
     if (!matc_ok(program))
-        said->diagnostics = strdup(matc_program_diagnostics(program, MATC_TEXT));
+        said->diagnostics = memory_checked(strdup(matc_program_diagnostics(program, MATC_TEXT)));
     else
         snprintf(said->error, sizeof said->error, "%s", p->gl->error);
     matc_program_free(program);

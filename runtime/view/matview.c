@@ -1,5 +1,7 @@
 /* The program matview: draws pictures of materials and scenes. The only file here that prints. */
 #include "compiler/base/file.h"
+#include "compiler/base/memory.h"
+#include "compiler/base/output.h"
 #include "compiler/base/progress.h"
 #include "compiler/base/session.h"
 #include "compiler/base/watch.h"
@@ -77,6 +79,8 @@ typedef struct {
     MaterialPictures *materials; /* NULL before the first */
     const Shape *mesh;           /* or NULL */
     MatcDocument *drawn;         /* the document before */
+    const char *input;           /* the document that is drawn */
+    PictureOwners owners;
     Shown shown;
 } Run;
 
@@ -110,6 +114,9 @@ static bool open_materials(Run *run)
 static int draw_picture(Run *run, ScenePictures *pictures, const char *input, const char *path)
 {
     ScenePicture picture = {0};
+    const char *taken = run->command->graph ? NULL : picture_name_claim(&run->owners, path, run->input);
+    if (taken)
+        return complain(path, taken);
     const bool done = scene_pictures_draw(pictures, path, &picture);
     fputs(progress_erase(&run->shown.last), stderr);
     if (!done)
@@ -124,9 +131,7 @@ static int draw_picture(Run *run, ScenePictures *pictures, const char *input, co
 /* Into a cell of the contact sheet. */
 static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
 {
-    unsigned char *rgb = malloc((size_t)run->sheet->width * (size_t)run->sheet->height * 3);
-    if (!rgb)
-        abort();
+    unsigned char *rgb = memory_checked(malloc((size_t)run->sheet->width * (size_t)run->sheet->height * 3));
     const bool room = sheet_has_room(run->sheet), done = room && scene_pictures_pixels(pictures, rgb);
     fputs(progress_erase(&run->shown.last), stderr);
     if (done)
@@ -298,6 +303,7 @@ static int run_input(Run *run, const char *input)
     Scene *scene = NULL;
     const Command *command = run->command;
     MatcDocument *document = read_document(command, input, &scene);
+    run->input = input;
     watch_input(command, input, document);
     if (!document)
         return FAULT;
@@ -325,6 +331,7 @@ static int draw_inputs(const Command *command, GlContext *gl, const Shape *mesh)
         status = write_sheet(&sheet, command->contact);
     material_pictures_close(run.materials);
     keep_document(&run, NULL);
+    arena_free(&run.owners.arena);
     sheet_free(&sheet);
     return status;
 }
@@ -383,6 +390,7 @@ static int run(Command *command)
 int main(int argc, char **argv)
 {
     Command command = {.edges = RENDER_EDGES_coverage, .shadows = WORD_COUNT, .indirect = WORD_COUNT};
+    output_hold_streams();
     matc_options_init(&command.compile);
     command.compile.pixels = true;
     const char *fault = command_read(&command, argc, argv);
@@ -396,5 +404,7 @@ int main(int argc, char **argv)
     else
         status = (fault = command_check(&command)) ? usage(fault) : run(&command);
     command_free(&command);
+    if ((fflush(stdout) || ferror(stdout)) && status == FINE)
+        status = complain("standard output", text_error(errno));
     return status;
 }

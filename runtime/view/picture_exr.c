@@ -1,5 +1,6 @@
 /* OpenEXR files of halves or floats, by the library's C core: scan lines, in blocks of 16 that zip compresses. */
 #include "runtime/view/picture_file.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/text.h"
 #include <OpenEXR/openexr.h>
 #include <errno.h>
@@ -84,7 +85,7 @@ static void *open_exr(const PictureSpec *spec, FILE *out, const char **why)
 {
     ExrWriter *w = calloc(1, sizeof *w);
     if (!w)
-        abort();
+        memory_exhausted();
     w->spec = *spec;
     w->out = out;
     *why = fault(write_head(w));

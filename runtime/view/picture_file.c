@@ -1,11 +1,14 @@
 /* A temporary file, and the writer of a format. */
 #include "runtime/view/picture_file.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/output.h"
 #include "compiler/base/text.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 struct PictureFile {
     const PictureWriter *writer;
@@ -25,15 +28,33 @@ bool picture_file_ending(const char *path, PictureFormat *format)
     return png || exr;
 }
 
+/* A file without a name in a folder; NULL where the folder or its file system has none. */
+static FILE *nameless_file(const char *folder)
+{
+    const int number = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    FILE *file = number < 0 ? NULL : fdopen(number, "w+b");
+    if (number >= 0 && !file)
+        close(number);
+    return file;
+}
+
+/* In TMPDIR; else where tmpfile() puts its files. */
+static FILE *temporary_file(void)
+{
+    const char *folder = getenv("TMPDIR");
+    FILE *file = folder && *folder ? nameless_file(folder) : NULL;
+    return file ? file : tmpfile();
+}
+
 PictureFile *picture_file_open(const PictureSpec *spec, const char **why)
 {
     PictureFile *file = calloc(1, sizeof *file);
     if (!file)
-        abort();
+        memory_exhausted();
     file->writer = spec->format == PICTURE_FORMAT_png ? &picture_png : &picture_exr;
     file->missing = spec->height;
-    file->out = tmpfile();
-    *why = file->out ? NULL : text_error(errno);
+    file->out = temporary_file();
+    *why = file->out ? NULL : "no temporary file can be made in TMPDIR or " P_tmpdir;
     if (file->out)
         file->state = file->writer->open(spec, file->out, why);
     if (file->state)

@@ -1,5 +1,5 @@
-/* A picture as a PNG or OpenEXR file, row by row: no more of it is in memory than some rows. It is made in a temporary file without a name;
- * its bytes come to their place at the end, whole or not at all (output.h). */
+/* A picture as a PNG or OpenEXR file, row by row: no more of it is in memory than some rows. It is made in a temporary file without a name
+ * (in TMPDIR, else where tmpfile() puts it); its bytes come to their place at the end, whole or not at all (output.h). */
 #ifndef MATC_VIEW_PICTURE_FILE_H
 #define MATC_VIEW_PICTURE_FILE_H
 #include <stdbool.h>

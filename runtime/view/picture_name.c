@@ -1,5 +1,6 @@
 /* From documents and the command line to names of files. */
 #include "runtime/view/picture_name.h"
+#include "compiler/base/text.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -10,6 +11,23 @@ void picture_name_of(const char *input, const char *material, char name[PICTURE_
     const char *slash = strrchr(input, '/'), *stem = slash ? slash + 1 : input, *dot = strrchr(stem, '.');
     int size = dot && dot != stem ? (int)(dot - stem) : (int)strlen(stem);
     snprintf(name, PICTURE_NAME_ROOM, "%.*s%s%s", size, stem, material ? "." : "", material ? material : "");
+}
+
+const char *picture_name_claim(PictureOwners *owners, const char *path, const char *input)
+{
+    if (!strcmp(path, "-"))
+        return NULL;
+    const int found = names_find(&owners->paths, path);
+    if (found >= 0 && !strcmp(owners->inputs[found], input))
+        return NULL;
+    if (found >= 0) {
+        Text why = text_new(&owners->arena);
+        text_format(&why, "this picture was drawn from %s; -d with another folder keeps both", owners->inputs[found]);
+        return why.at;
+    }
+    names_add(&owners->arena, &owners->paths, arena_string(&owners->arena, path, strlen(path)));
+    ARENA_PUSH(&owners->arena, owners->inputs, owners->input_count, owners->input_room, input);
+    return NULL;
 }
 
 void picture_name_path(const Command *command, const char *name, char path[PICTURE_NAME_PATH])

@@ -1,5 +1,6 @@
 /* PNG files of 8 or 16 bits a lane, by libpng, which leaves by longjmp where something fails. */
 #include "runtime/view/picture_file.h"
+#include "compiler/base/memory.h"
 #include <math.h>
 #include <png.h>
 #include <setjmp.h>
@@ -49,13 +50,13 @@ static void *open_png(const PictureSpec *spec, FILE *out, const char **why)
 {
     PngWriter *w = calloc(1, sizeof *w);
     if (!w)
-        abort();
+        memory_exhausted();
     w->spec = *spec;
     w->row = calloc((size_t)spec->width, (size_t)(spec->lanes * spec->bits / 8));
     w->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, w, on_error, on_warning);
     w->info = w->png ? png_create_info_struct(w->png) : NULL;
     if (!w->row || !w->info)
-        abort(); /* out of memory */
+        memory_exhausted();
     if (write_head(w, out))
         return w;
     *why = w->why;

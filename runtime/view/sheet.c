@@ -1,5 +1,6 @@
 /* Cells from the upper left, row by row; the bytes of a picture go from its bottom row upwards. */
 #include "runtime/view/sheet.h"
+#include "compiler/base/memory.h"
 #include "compiler/base/output.h"
 #include "runtime/view/font.h"
 #include <math.h>
@@ -28,12 +29,12 @@ void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb)
         sheet->room = sheet->room ? 2 * sheet->room : 16;
         sheet->cells = realloc(sheet->cells, (size_t)sheet->room * sizeof *sheet->cells);
         if (!sheet->cells)
-            abort();
+            memory_exhausted();
     }
     SheetCell *cell = &sheet->cells[sheet->count++];
     *cell = (SheetCell){.rgb = malloc(size)};
     if (!cell->rgb)
-        abort();
+        memory_exhausted();
     memcpy(cell->rgb, rgb, size);
     strncpy(cell->name, name, SHEET_NAME - 1);
 }
@@ -100,7 +101,7 @@ const char *sheet_draw(const Sheet *sheet, PngPicture *picture)
     const size_t size = (size_t)picture->width * (size_t)picture->height * 3;
     picture->bytes = malloc(size);
     if (!picture->bytes)
-        abort();
+        memory_exhausted();
     memset(picture->bytes, PAPER, size);
     for (int i = 0; i < sheet->count; i++)
         draw_cell(picture, sheet, &sheet->cells[i], GAP + i % columns * (int)across, GAP + i / columns * (int)down);

@@ -1,0 +1,19 @@
+/* The end of a process that has no memory left. */
+#include "compiler/base/memory.h"
+#include <stdlib.h>
+#include <unistd.h>
+
+void memory_exhausted(void)
+{
+    static const char line[] = "matc: out of memory\n";
+    ssize_t written = write(STDERR_FILENO, line, sizeof line - 1); /* stdio might allocate */
+    (void)written;
+    abort();
+}
+
+void *memory_checked(void *allocated)
+{
+    if (!allocated)
+        memory_exhausted();
+    return allocated;
+}
