@@ -237,6 +237,52 @@ static void what_is_no_folder_is_refused(void **state)
     cache_close(NULL);
 }
 
+/* A checksum is no signature: whoever may write an entry can forge one, as here, by hashing what he changed. */
+static void what_others_may_write_is_not_read(void **state)
+{
+    const Folder *folder = *state;
+    const char *why = NULL;
+    const uid_t other = 65534;
+    Cache *cache = open_cache(folder, 0);
+    cache_put(cache, key_of(1), blob, sizeof blob);
+    cache_put(cache, key_of(2), blob, sizeof blob);
+    assert_hit(cache, key_of(1), blob, sizeof blob);
+    assert_int_equal(chmod(entry_path(folder, key_of(1)), 0664), 0);
+    assert_miss(cache, key_of(1));
+    if (!geteuid()) {
+        assert_int_equal(chown(entry_path(folder, key_of(2)), other, other), 0);
+        assert_miss(cache, key_of(2));
+    }
+    cache_close(cache);
+    static const mode_t open_modes[] = {0775, 0757, 0777, 01777};
+    for (size_t i = 0; i < sizeof open_modes / sizeof *open_modes; i++) {
+        assert_int_equal(chmod(folder->path, open_modes[i]), 0);
+        assert_null(cache_open(folder->path, 0, &why));
+        assert_string_equal(why, "others may write to the folder, and could forge its entries (chmod go-w)");
+    }
+    assert_int_equal(chmod(folder->path, 0755), 0);
+    cache_close(open_cache(folder, 0));
+    if (geteuid())
+        return;
+    assert_int_equal(chown(folder->path, other, other), 0);
+    assert_null(cache_open(folder->path, 0, &why));
+    assert_string_equal(why, "the folder belongs to another user, who could forge its entries");
+}
+
+/* Whatever the umask is, the folders that a cache makes are its user's alone. */
+static void what_is_made_can_be_opened_again(void **state)
+{
+    const Folder *folder = *state;
+    const mode_t before = umask(0);
+    Cache *cache = open_cache(folder, 0);
+    cache_put(cache, key_of(1), blob, sizeof blob);
+    cache_close(cache);
+    umask(before);
+    cache = open_cache(folder, 0);
+    assert_hit(cache, key_of(1), blob, sizeof blob);
+    cache_close(cache);
+}
+
 static void damaged_statistics_are_no_fault(void **state)
 {
     static const char *const texts[] = {"", "hits", "hits -1\nbytes x\n", "\xff\xfe",
@@ -269,6 +315,8 @@ int main(void)
         FOLDER_TEST(a_read_only_folder_serves_what_it_has),
         FOLDER_TEST(a_full_folder_loses_nothing_else),
         FOLDER_TEST(what_is_no_folder_is_refused),
+        FOLDER_TEST(what_others_may_write_is_not_read),
+        FOLDER_TEST(what_is_made_can_be_opened_again),
         FOLDER_TEST(damaged_statistics_are_no_fault),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

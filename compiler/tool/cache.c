@@ -16,7 +16,9 @@
 #include <unistd.h>
 #include <xxhash.h>
 
-enum { VERSION = 1, LARGEST_BLOB = 256 << 20, READABLE = 0666, PASSABLE = 0777, ABOVE = 3 /* "ab/" */ };
+enum { VERSION = 1, LARGEST_BLOB = 256 << 20, ABOVE = 3 /* "ab/" */ };
+/* Whatever the umask, nobody else may write: what is read is trusted. */
+enum { READABLE = 0644, PASSABLE = 0755, BY_OTHERS = S_IWGRP | S_IWOTH };
 
 struct Cache {
     int folder;
@@ -76,11 +78,31 @@ static void put_tag(int folder)
     close(file);
 }
 
+/* Only this user and root can have written it. A checksum finds damage, not forgery. */
+static bool is_own(const struct stat *info)
+{
+    return (info->st_uid == geteuid() || info->st_uid == 0) && !(info->st_mode & BY_OTHERS);
+}
+
+/* NULL, or the reason why the entries of a folder are not taken. */
+static const char *distrust(int folder)
+{
+    struct stat info;
+    if (fstat(folder, &info))
+        return text_error(errno);
+    if (is_own(&info))
+        return NULL;
+    return info.st_mode & BY_OTHERS ? "others may write to the folder, and could forge its entries (chmod go-w)"
+                                    : "the folder belongs to another user, who could forge its entries";
+}
+
 Cache *cache_open(const char *path, uint64_t limit_bytes, const char **why)
 {
     int folder = make_folders(path) ? open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
-    if (folder < 0) {
-        *why = text_error(errno);
+    *why = folder < 0 ? text_error(errno) : distrust(folder);
+    if (*why) {
+        if (folder >= 0)
+            close(folder);
         return NULL;
     }
     Cache *cache = calloc(1, sizeof *cache);
@@ -108,7 +130,7 @@ static char *read_entry(int file, Key key, size_t *size)
 {
     struct stat info;
     Header header;
-    if (fstat(file, &info) || !S_ISREG(info.st_mode) || info.st_size < (off_t)sizeof header ||
+    if (fstat(file, &info) || !S_ISREG(info.st_mode) || !is_own(&info) || info.st_size < (off_t)sizeof header ||
         info.st_size > LARGEST_BLOB + (off_t)sizeof header)
         return NULL;
     size_t length = (size_t)info.st_size - sizeof header;

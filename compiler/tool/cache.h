@@ -1,6 +1,7 @@
 /* A store of blobs on disk under 128-bit keys. Any number of threads may share one Cache, any number of processes one folder:
  * an entry is written under a temporary name and renamed, and what is read is checked against its key, size and checksum, so that
- * nobody sees half an entry or a damaged one. Accidents are found, forgery is not: keep the folder to those who may write it.
+ * nobody sees half an entry or a damaged one. A checksum finds accidents, not forgery: a folder or an entry that anybody but this user and root
+ * may write is refused.
  * A folder that cannot be written or is full makes misses, never faults. */
 #ifndef MATC_CACHE_H
 #define MATC_CACHE_H
