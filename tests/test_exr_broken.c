@@ -5,6 +5,10 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/exr_file.h"
+#include "tests/sanitized.h"
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 static void kinds_that_are_refused(void **state)
 {
@@ -120,6 +124,78 @@ static void broken(void **state)
     }
 }
 
+enum { MOST_KIB = 16 << 10 };
+
+/* A document of so many pictures of that file, under as many names. */
+static char *many(int count)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    fputs("material: Phong\ndiffuse:\n  map: Blend\n  blend:\n", out);
+    for (int i = 0; i < count; i++)
+        fprintf(out, "  - { value: %d, input: { map: ImageMap, image: a%d } }\n", i, i);
+    fclose(out);
+    return text;
+}
+
+static long resident(void)
+{
+    struct rusage used;
+    getrusage(RUSAGE_SELF, &used);
+    return used.ru_maxrss;
+}
+
+/* Reads the pictures in a process of its own, whose greatest resident size may grow by so much. */
+static void take_little(PictureFile *file, int count)
+{
+    char *text = many(count);
+    int status;
+    const pid_t child = fork();
+    if (!child) {
+        const long before = resident();
+        MatcDocument *document = picture_read(file, text, true);
+        const long grown = resident() - before;
+        fprintf(stderr, "%d broken pictures: %ld KiB\n", count, grown);
+        _exit(matc_error_count(document) == count && grown < MOST_KIB ? 0 : 1);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_int_equal(status, 0);
+    free(text);
+}
+
+/* Each would have 64 MiB of texels. Its first block does not decode, and there is no room for them before. */
+static void first_block_is_broken(void **state)
+{
+    (void)state;
+    enum { SIDE = 2048, CHUNKS = SIDE / 32 /* lines of a block */, PACKED = 512 };
+    static PictureFile file;
+    const ExrHeader h = {WINDOW(SIDE, SIDE), WINDOW(SIDE, SIDE), "Y", {HALF}, EXR_COMPRESSION_PIZ, 0, 0};
+    if (SANITIZED) /* whose allocator keeps what is freed */
+        skip();
+    exr_put_header(&file, &h);
+    for (int i = 0; i < CHUNKS; i++)
+        exr_put_int(&file, (int64_t)file.size + 8 * (CHUNKS - i), 8);
+    exr_put_int(&file, 0, 4);
+    exr_put_int(&file, PACKED, 4);
+    for (int i = 0; i < PACKED; i += 8)
+        exr_put_int(&file, -1, 8);
+    take_little(&file, 20);
+}
+
+/* Each has 256 KiB of texels when its last block turns out to be cut, which go with it. */
+static void last_block_is_broken(void **state)
+{
+    (void)state;
+    static PictureFile file;
+    const ExrHeader h = {WINDOW(128, 128), WINDOW(128, 128), "Y", {HALF}, EXR_COMPRESSION_ZIPS, 0, 0};
+    if (SANITIZED)
+        skip();
+    exr_write_file(&file, &h);
+    file.size -= 3;
+    take_little(&file, 200);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -128,6 +204,8 @@ int main(void)
         cmocka_unit_test(blocks_are_whole),
         cmocka_unit_test(large),
         cmocka_unit_test(broken),
+        cmocka_unit_test(first_block_is_broken),
+        cmocka_unit_test(last_block_is_broken),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

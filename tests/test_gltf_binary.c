@@ -1,6 +1,7 @@
 /* glTF files that hold their pictures and triangles: .glb, data: addresses, buffers; lengths that lie; meshes of them in parts. */
 #include "gltf_folder.h"
 #include "runtime/scene/model.h"
+#include "runtime/scene/model_number.h"
 
 #define MESH                                                                                                           \
     "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":["                  \
@@ -170,6 +171,73 @@ static void broken_binaries_are_said(void **state)
                         "cannot read the picture 'none.gltf#/images/': the file's list images has no such item");
 }
 
+/* Twelve pictures in twelve buffers that are one file, with a name that is escaped in one of them. */
+enum { TWELVE = 12 };
+
+static char *count_reads(void *user, const char *path, size_t *size, const char **why)
+{
+    (void)path, (void)why;
+    ++*(int *)user;
+    char *copy = malloc(tiles_size + 1);
+    assert_non_null(copy);
+    memcpy(copy, tiles, tiles_size);
+    copy[tiles_size] = 0;
+    *size = tiles_size;
+    return copy;
+}
+
+static void a_file_is_read_once(void **state)
+{
+    (void)state;
+    char *text = NULL;
+    size_t size;
+    int reads = 0;
+    FILE *out = open_memstream(&text, &size);
+    const char *const lists[] = {"\"source\":%d", "\"bufferView\":%d", "\"buffer\":%d,\"byteLength\":%zu"};
+    fputs("{\"asset\":{\"version\":\"2.0\"},\"materials\":[{}", out);
+    for (int i = 0; i < TWELVE; i++)
+        fprintf(out, ",{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":%d}}}", i);
+    for (int k = 0; k < 3; k++) {
+        fprintf(out, "],\"%s\":[", k == 0 ? "textures" : k == 1 ? "images" : "bufferViews");
+        for (int i = 0; i < TWELVE; i++) {
+            fputs(i ? ",{" : "{", out);
+            fprintf(out, lists[k], i, tiles_size);
+            fputc('}', out);
+        }
+    }
+    fputs("],\"buffers\":[", out);
+    for (int i = 0; i < TWELVE; i++)
+        fprintf(out, "%s{\"uri\":\"%s.bin\",\"byteLength\":%zu}", i ? "," : "", i ? "a" : "%61", tiles_size);
+    fputs("]}", out);
+    fclose(out);
+    MatcOptions options;
+    matc_options_init(&options);
+    options.pixels = true;
+    options.read_file = count_reads;
+    options.user = &reads;
+    MatcDocument *document = matc_read("x.gltf", text, size, &options);
+    if (matc_error_count(document))
+        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
+    assert_int_equal(reads, 1);
+    matc_document_free(document);
+    free(text);
+}
+
+/* Views of buffers of one file and one length are of the first of them, which assimp reads when it meets them. */
+static void meshes_read_a_buffer_once(void **state)
+{
+    (void)state;
+    static const char json[] =
+        "{\"buffers\":[{\"uri\":\"a.bin\",\"byteLength\":8},{\"uri\":\"b.bin\",\"byteLength\":8},"
+        "{\"uri\":\"a.bin\",\"byteLength\":8},{\"uri\":\"a.bin\",\"byteLength\":4},{},{}],"
+        "\"bufferViews\":[{\"buffer\":2},{\"buffer\":1},{\"buffer\":3},{\"buffer\":5},{\"buffer\":9}]}";
+    char *made = model_number_text(json, sizeof json - 1);
+    assert_non_null(made);
+    assert_non_null(
+        strstr(made, "\"bufferViews\":[{\"buffer\":0},{\"buffer\":1},{\"buffer\":3},{\"buffer\":5},{\"buffer\":9}]"));
+    free(made);
+}
+
 /* A mesh of a .glb has its materials, too. */
 static void binary_meshes_have_materials(void **state)
 {
@@ -214,8 +282,9 @@ static int clean(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pictures_are_within),
-                                       cmocka_unit_test(broken_binaries_are_said),
-                                       cmocka_unit_test(binary_meshes_have_materials)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pictures_are_within), cmocka_unit_test(broken_binaries_are_said),
+        cmocka_unit_test(a_file_is_read_once), cmocka_unit_test(meshes_read_a_buffer_once),
+        cmocka_unit_test(binary_meshes_have_materials)};
     return cmocka_run_group_tests(tests, prepare, clean);
 }

@@ -18,15 +18,6 @@ static const char *decode(ImageFile *file)
     return "it is neither PNG nor JPEG nor OpenEXR";
 }
 
-/* Bytes that the document's pictures take, all decoded. */
-static size_t bytes_of_all(const Resolver *r)
-{
-    size_t bytes = 0;
-    for (size_t i = 0; i < r->image_count; i++)
-        bytes += image_file_size(r->images[i]);
-    return bytes;
-}
-
 /* The bytes of the picture of that path, and the file to free, if it is one; false: `why`. */
 static bool find_bytes(Resolver *r, const char *path, ImageFile *picture, char **file, const char **why)
 {
@@ -54,12 +45,18 @@ static const Image *read_picture(Resolver *r, const char *full, const char **why
     Image *image = ARENA_NEW(r->session->arena, Image);
     image->path = full;
     image->index = (int)r->image_count;
-    const size_t taken = bytes_of_all(r), most = (size_t)LIMIT_PIXELS_MIB << 20;
+    const size_t most = (size_t)LIMIT_PIXELS_MIB << 20;
     picture.image = image;
-    picture.room = taken < most ? most - taken : 0;
+    picture.room = r->image_bytes < most ? most - r->image_bytes : 0;
     *why = decode(&picture);
     free(file);
-    return *why ? NULL : image;
+    if (*why) {
+        arena_free(&picture.memory);
+        return NULL;
+    }
+    r->image_bytes += image_file_size(image);
+    arena_adopt(r->session->arena, &picture.memory);
+    return image;
 }
 
 /* What cannot be had is read once, too. */

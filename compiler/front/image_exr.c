@@ -266,12 +266,12 @@ static float float_from(uint32_t bits)
     return number;
 }
 
-/* The texel at a place of the file; NULL: it is outside of the picture. */
+/* The texel at a place of the file; NULL: it is outside of the picture, or that has none yet. */
 static float *texel_at(const ExrReader *d, int64_t x, int64_t y)
 {
     const Image *image = d->file->image;
     const int64_t column = x - d->display.min.x, row = d->display.max.y - y;
-    if (column < 0 || column >= image->width || row < 0 || row >= image->height)
+    if (!image->texels || column < 0 || column >= image->width || row < 0 || row >= image->height)
         return NULL;
     return (float *)image->texels + (row * image->width + column) * LANES;
 }
@@ -296,8 +296,7 @@ static bool put_line(ExrReader *d, int number, int width, const int at[2], Sampl
     return true;
 }
 
-/* Unpacks a chunk, since version 3.1.5 of the library does not: it follows the channels that nobody wants to NULL, and takes A B G R for
- * R G B A. */
+/* Unpacks a chunk, since version 3.1.5 of the library does not: it follows unwanted channels to NULL, and takes A B G R for R G B A. */
 static exr_result_t unpack(exr_decode_pipeline_t *decode)
 {
     const Chunk *chunk = decode->decoding_user_data;
@@ -334,12 +333,13 @@ static bool decode_chunk(ExrReader *d, Chunk *chunk)
     return fine;
 }
 
-static bool read_lines(ExrReader *d)
+/* Both decode the first chunks, at most as many as given. */
+static bool read_lines(ExrReader *d, int64_t most)
 {
     int32_t high = 0;
     if (!done(d, exr_get_scanlines_per_chunk(d->exr, 0, &high)) || high < 1)
         return fail(d, image_file_cut);
-    for (int64_t y = d->data.min.y; y <= d->data.max.y; y += high) {
+    for (int64_t y = d->data.min.y; y <= d->data.max.y && most--; y += high) {
         Chunk chunk = {.x = d->data.min.x, .y = (int)y};
         if (!done(d, exr_read_scanline_chunk_info(d->exr, 0, (int)y, &chunk.info)) || !decode_chunk(d, &chunk))
             return false;
@@ -347,13 +347,13 @@ static bool read_lines(ExrReader *d)
     return true;
 }
 
-static bool read_tiles(ExrReader *d)
+static bool read_tiles(ExrReader *d, int64_t most)
 {
     int32_t wide = 0, high = 0;
     if (!done(d, exr_get_tile_sizes(d->exr, 0, 0, 0, &wide, &high)) || wide < 1 || high < 1)
         return fail(d, image_file_cut);
     for (int64_t y = d->data.min.y, j = 0; y <= d->data.max.y; y += high, j++)
-        for (int64_t x = d->data.min.x, i = 0; x <= d->data.max.x; x += wide, i++) {
+        for (int64_t x = d->data.min.x, i = 0; x <= d->data.max.x && most--; x += wide, i++) {
             Chunk chunk = {.x = (int)x, .y = (int)y};
             if (!done(d, exr_read_tile_chunk_info(d->exr, 0, (int)i, (int)j, 0, 0, &chunk.info)) ||
                 !decode_chunk(d, &chunk))
@@ -366,8 +366,7 @@ static bool read_tiles(ExrReader *d)
 static void clear(ExrReader *d)
 {
     Image *image = d->file->image;
-    float *texels = image->texels;
-    memset(texels, 0, image_file_size(image));
+    float *texels = memset(image->texels, 0, image_file_size(image));
     for (int64_t i = 0; !channel(d, 3) && i < (int64_t)image->width * image->height; i++) {
         const int64_t x = d->display.min.x + i % image->width, y = d->display.max.y - i / image->width;
         if (x >= d->data.min.x && x <= d->data.max.x && y >= d->data.min.y && y <= d->data.max.y)
@@ -380,11 +379,12 @@ static bool read_texels(ExrReader *d)
     exr_storage_t storage;
     if (!check_size(d) || !done(d, exr_get_storage(d->exr, 0, &storage)))
         return false;
-    const char *why = image_file_allocate(d->file);
+    bool (*const read)(ExrReader *, int64_t) = storage == EXR_STORAGE_TILED ? read_tiles : read_lines;
+    const char *why = read(d, 1) ? image_file_allocate(d->file) : d->why;
     if (why)
         return fail(d, why);
     clear(d);
-    return storage == EXR_STORAGE_TILED ? read_tiles(d) : read_lines(d);
+    return read(d, INT64_MAX);
 }
 
 const char *image_exr(ImageFile *file)

@@ -21,6 +21,6 @@ const char *image_file_allocate(ImageFile *file)
     Image *image = file->image;
     if (image_file_size(image) > file->room)
         return image_file_too_many;
-    image->texels = arena_alloc(file->session->arena, image_file_size(image));
+    image->texels = arena_alloc(&file->memory, image_file_size(image));
     return NULL;
 }

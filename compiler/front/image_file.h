@@ -9,6 +9,7 @@ typedef struct {
     const char *at, *end; /* what is not read yet */
     size_t room;          /* bytes that pictures may still take */
     Image *image;         /* that is being read */
+    Arena memory;         /* the texels, and what decoding takes: freed where the file is broken */
 } ImageFile;
 
 const char *image_png(ImageFile *file);
@@ -21,6 +22,7 @@ extern const char image_file_cut[], image_file_too_large[], image_file_too_many[
 const char *image_file_check_side(double width, double height);
 /* Bytes that an image takes, decoded. */
 size_t image_file_size(const Image *image);
-/* NULL and the texels, which are the image's; or what is wrong: there is no room. */
+/* NULL and the texels, which are the image's; or what is wrong: there is no room. A reader decodes the first of them before, so that a file
+ * whose data are broken at once takes no memory. */
 const char *image_file_allocate(ImageFile *file);
 #endif

@@ -131,18 +131,22 @@ static void check_size(JpegReader *d)
     const size_t high = ((size_t)d->file->image->height + BLOCK - 1) / BLOCK;
     if (wide * high * LEAST_BLOCK_BITS / 8 > d->source.bytes_in_buffer)
         fail(d, image_file_cut);
-    const char *why = image_file_allocate(d->file);
-    if (why)
-        fail(d, why);
     d->jpeg.mem->max_memory_to_use = (long)LIMIT_PIXELS_MIB << 20; /* of a progressive file's coefficients */
 }
 
+/* The first row is decoded by itself, before there is room for all. */
 static void read_rows(JpegReader *d)
 {
     const size_t stride = (size_t)d->file->image->width * 4, height = (size_t)d->file->image->height;
+    JSAMPROW first = arena_alloc(&d->file->memory, stride);
     d->jpeg.out_color_space = JCS_EXT_RGBA; /* alpha is 255 */
     d->jpeg.dct_method = JDCT_ISLOW;        /* the same bytes on every machine */
     jpeg_start_decompress(&d->jpeg);
+    jpeg_read_scanlines(&d->jpeg, &first, 1);
+    const char *why = image_file_allocate(d->file);
+    if (why)
+        fail(d, why);
+    memcpy((JSAMPROW)d->file->image->texels + stride * (height - 1), first, stride);
     while (d->jpeg.output_scanline < d->jpeg.output_height) {
         JSAMPROW row = (JSAMPROW)d->file->image->texels + stride * (height - 1 - d->jpeg.output_scanline);
         jpeg_read_scanlines(&d->jpeg, &row, 1);

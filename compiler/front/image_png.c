@@ -11,7 +11,8 @@ typedef struct {
     ImageFile *file;
     png_structp png;
     png_infop info;
-    png_bytep *rows;
+    png_bytep *rows; /* in the order of the file */
+    png_bytep first; /* the first row, where it was decoded before there were others */
     const char *why; /* the fault */
 } PngReader;
 
@@ -73,7 +74,7 @@ static void allocate(PngReader *d)
     if (png_get_rowbytes(d->png, d->info) != stride)
         png_error(d->png, "unknown kind of pixels");
     uint8_t *texels = image->texels;
-    d->rows = arena_alloc(d->file->session->arena, height * sizeof *d->rows);
+    d->rows = arena_alloc(&d->file->memory, height * sizeof *d->rows);
     for (size_t row = 0; row < height; row++)
         d->rows[row] = texels + stride * (height - 1 - row);
 }
@@ -94,6 +95,25 @@ static void read_header(PngReader *d)
         !(png_get_color_type(d->png, d->info) & PNG_COLOR_MASK_ALPHA) && !png_get_valid(d->png, d->info, PNG_INFO_tRNS);
 }
 
+/* Decodes the first row by itself. An interlaced picture has no such row: each pass writes to all of it. */
+static void read_first_row(PngReader *d)
+{
+    if (png_get_interlace_type(d->png, d->info) != PNG_INTERLACE_NONE)
+        return;
+    d->first = arena_alloc(&d->file->memory, png_get_rowbytes(d->png, d->info));
+    png_read_row(d->png, d->first, NULL);
+}
+
+static void read_rows(PngReader *d)
+{
+    if (!d->first) {
+        png_read_image(d->png, d->rows);
+        return;
+    }
+    memcpy(d->rows[0], d->first, png_get_rowbytes(d->png, d->info));
+    png_read_rows(d->png, d->rows + 1, NULL, (png_uint_32)d->file->image->height - 1);
+}
+
 /* No variables here: setjmp may lose them. */
 static void read_picture(PngReader *d)
 {
@@ -104,8 +124,9 @@ static void read_picture(PngReader *d)
         return;
     check_size(d, png_get_rowbytes(d->png, d->info));
     convert_to_rgba(d);
+    read_first_row(d);
     allocate(d);
-    png_read_image(d->png, d->rows);
+    read_rows(d);
 }
 
 const char *image_png(ImageFile *file)

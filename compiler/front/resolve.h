@@ -27,7 +27,7 @@ typedef struct {
     size_t attribute_count, attribute_room;
     Names attribute_names;
     const Image **images;
-    size_t image_count, image_room;
+    size_t image_count, image_room, image_bytes; /* of all their texels */
     Names image_paths;
     GltfFiles gltf_files; /* that pictures lie in */
     Names broken_paths;   /* of pictures that cannot be had, and what is wrong with them */

@@ -3,11 +3,59 @@
  *     "materials": [{ "name": "Bark" }, {}]     becomes     "materials": [{ "name": "0" }, { "name": "1" }] */
 #include "runtime/scene/model_number.h"
 #include "compiler/base/memory.h"
+#include "compiler/base/names.h"
+#include "compiler/base/text.h"
 #include "compiler/front/gltf_chunks.h"
 #include <cjson/cJSON.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The first buffer that reads as many bytes of the same file; itself, if it is that. */
+static int first_alike(Arena *arena, Names *files, const cJSON *buffer, int number)
+{
+    const cJSON *uri = cJSON_GetObjectItemCaseSensitive(buffer, "uri"),
+                *size = cJSON_GetObjectItemCaseSensitive(buffer, "byteLength");
+    Text key = text_new(arena);
+    if (cJSON_IsString(uri) && cJSON_IsNumber(size)) {
+        text_plain(&key, size->valuedouble);
+        text_format(&key, " %s", uri->valuestring);
+    } else
+        text_format(&key, "%d", number);
+    return names_add(arena, files, key.at);
+}
+
+/* Assimp reads a buffer when a view of it is met: views of buffers that are one file are of the first of them.
+ *     "buffers": [{ "uri": "a.bin" }, { "uri": "a.bin" }], "bufferViews": [{ "buffer": 1 }]     becomes     "bufferViews": [{ "buffer": 0 }] */
+static bool join_buffers(cJSON *json)
+{
+    Arena arena = {0};
+    Names files = {0};
+    const cJSON *buffers = cJSON_GetObjectItemCaseSensitive(json, "buffers"), *buffer;
+    int *first = arena_alloc(&arena, ((size_t)cJSON_GetArraySize(buffers) + 1) * sizeof *first),
+        *of_file = arena_alloc(&arena, ((size_t)cJSON_GetArraySize(buffers) + 1) * sizeof *of_file), count = 0;
+    bool joined = false;
+    cJSON_ArrayForEach(buffer, buffers)
+    {
+        const size_t files_before = files.count;
+        const int file = first_alike(&arena, &files, buffer, count);
+        if (files.count > files_before)
+            of_file[file] = count;
+        first[count++] = of_file[file];
+    }
+    cJSON *view;
+    cJSON_ArrayForEach(view, cJSON_GetObjectItemCaseSensitive(json, "bufferViews"))
+    {
+        cJSON *number = cJSON_GetObjectItemCaseSensitive(view, "buffer");
+        if (!cJSON_IsNumber(number) || !(number->valuedouble >= 0 && number->valuedouble < count) ||
+            first[(int)number->valuedouble] == (int)number->valuedouble)
+            continue;
+        cJSON_SetNumberValue(number, first[(int)number->valuedouble]);
+        joined = true;
+    }
+    arena_free(&arena);
+    return joined;
+}
 
 char *model_number_text(const char *text, size_t size)
 {
@@ -22,8 +70,8 @@ char *model_number_text(const char *text, size_t size)
         cJSON_DeleteItemFromObjectCaseSensitive(material, "name");
         cJSON_AddStringToObject(material, "name", number);
     }
-    const bool vertices = model_number_vertices(json);
-    if (count || vertices)
+    const bool vertices = model_number_vertices(json), joined = join_buffers(json);
+    if (count || vertices || joined)
         made = cJSON_PrintUnformatted(json);
     cJSON_Delete(json);
     return made;
