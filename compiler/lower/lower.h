@@ -246,6 +246,14 @@ typedef struct {
  * n = 30 and s = (.8, .4, .4): reflectance .05, tint (1, .5, .5), roughness .5. */
 Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong);
 
+/* The Phong that stands for a Principled in a layout without the slot `model`, which lights all
+ * as Phongs. With base color b, metalness m, reflectance F, tint t and roughness r: exponent n =
+ * (1 / r^4 - 1) / 2; specular s = min(R (n + 2) / 2, 1), R = mix(F t, b, m), of which 2 s / (n +
+ * 2) is reflected along the normal; diffuse b (1 - m) (1 - F) and the rest of R. Other slots are
+ * as they are. b = 1, m = 0, F = .04, r = .6: n = 3.4, specular .11, diffuse .96; r = .2: n =
+ * 312, specular 1, of .04 .0064, diffuse .994. */
+Ref lower_phong_of_principled(Lower *l, const Node *material, Slot slot, const Env *env);
+
 #define MAP(name, function, lowering, cost, doc)                                                                       \
     Answer lower_##name(Lower *l, const Node *node, Group group, const Env *env);
 #include "grammar/maps.def"

@@ -6,6 +6,13 @@
 
 static const double greatest_half = 65504;
 
+/* A Principled, in a layout that cannot tell it from a Phong. */
+static bool is_lit_as_phong(Lower *l, const Node *material, const Env *env)
+{
+    return !layout_has_slot(l->job->layout, SLOT_model) &&
+           !ir_is_number(l->ir, lower_slot(l, material, SLOT_model, env), MODEL_Phong);
+}
+
 /* The slot as the G-buffer wants it. */
 static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
@@ -13,7 +20,10 @@ static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env
         return lower_stored_anisotropy(l, material, env);
     if (slot == SLOT_coatNormal)
         return lower_stored_coat_normal(l, material, env);
-    return slot == SLOT_normal ? lower_stored_normal(l, material, env) : lower_slot(l, material, slot, env);
+    if (slot == SLOT_normal)
+        return lower_stored_normal(l, material, env);
+    return is_lit_as_phong(l, material, env) ? lower_phong_of_principled(l, material, slot, env)
+                                             : lower_slot(l, material, slot, env);
 }
 
 static Ref one_lane(Lower *l, const Node *material, SlotLane source, const Env *env)
@@ -290,7 +300,7 @@ static void check_fixed(Lower *l, const LayoutRow *row, const Node *material, co
 static void check_model(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
 {
     Text slots = text_new(l->session->arena);
-    if (layout_has_slot(row, SLOT_model) || is_absent(l, material, SLOT_model, env))
+    if (!is_lit_as_phong(l, material, env))
         return;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (!layout_has_slot(row, (Slot)slot) && slot_class_table[slot].matters >> SLOT_model & 1 && !is_absent(l, material, (Slot)slot, env))

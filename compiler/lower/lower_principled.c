@@ -289,3 +289,86 @@ Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
         return build_all(ir, slot_table[slot].type, slot_table[slot].absent);
     }
 }
+
+/* What a metal, or a dielectric, reflects along the normal. */
+static Ref reflected(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref strength = build_splat(ir, lower_slot(l, m, SLOT_reflectance, env), TYPE_vec3);
+    Ref dielectric = build_mul(ir, strength, lower_slot(l, m, SLOT_specular, env));
+    Ref metal = lower_slot(l, m, SLOT_diffuse, env);
+    return build_mix(ir, dielectric, metal, lower_slot(l, m, SLOT_metalness, env));
+}
+
+/* The exponent of the lobe as wide as GGX's: of directions of light it is twice as wide as of
+ * facets' normals. */
+static Ref exponent_of(Lower *l, const Node *m, const Env *env)
+{
+    const double least = 1e-6, greatest = slot_table[SLOT_shininess].high;
+    Ir *ir = l->ir;
+    Ref width = build_square(ir, lower_slot(l, m, SLOT_roughness, env)), half = build_float(ir, .5);
+    Ref square = build_max(ir, build_square(ir, width), build_float(ir, least));
+    Ref exponent = build_sub(ir, build_div(ir, half, square), half);
+    return build_clamp(ir, exponent, build_float(ir, 0), build_float(ir, greatest));
+}
+
+/* A Phong's light is less by its whole transparency; of a Principled's that which goes through
+ * the dielectric is left out already. The factor is (1 - holes) / (1 - transparency). 0: there
+ * are none but holes. */
+static Ref kept_twice(Lower *l, const Node *m, const Env *env)
+{
+    const double least = 1e-3;
+    Ir *ir = l->ir;
+    Ref one = build_all(ir, TYPE_vec3, 1);
+    Ref there = build_splat(ir, lower_slot(l, m, SLOT_alpha, env), TYPE_vec3);
+    if (ir_is_number(ir, lower_slot(l, m, SLOT_transmission, env), 0))
+        return 0;
+    Ref kept = build_sub(ir, one, lower_slot(l, m, SLOT_transparency, env));
+    return build_div(ir, there, build_max(ir, kept, build_all(ir, TYPE_vec3, least)));
+}
+
+/* As strong as it has to be, at most 1, as the slots are. */
+static Ref within_slot(Lower *l, const Node *m, Ref strength, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref twice = kept_twice(l, m, env);
+    Ref wanted = twice ? build_mul(ir, strength, twice) : strength;
+    return build_min(ir, wanted, build_all(ir, TYPE_vec3, 1));
+}
+
+/* The lobe's strength, of which a Phong of this exponent n reflects 2 / (n + 2); at most 1, as
+ * the slot is. */
+static Ref lobe_of(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref more = build_add(ir, exponent_of(l, m, env), build_float(ir, 2));
+    Ref lobe = build_mul(ir, reflected(l, m, env), build_scale(ir, more, .5));
+    return build_min(ir, lobe, build_all(ir, TYPE_vec3, 1));
+}
+
+/* The base, and what the lobe has no room for. */
+static Ref matt_of(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref one = build_float(ir, 1), more = build_add(ir, exponent_of(l, m, env), build_float(ir, 2));
+    Ref enters = build_sub(ir, one, lower_slot(l, m, SLOT_reflectance, env));
+    Ref share = build_mul(ir, enters, build_sub(ir, one, lower_slot(l, m, SLOT_metalness, env)));
+    Ref base = build_mul(ir, lower_slot(l, m, SLOT_diffuse, env), share);
+    Ref coat = lower_slot(l, m, SLOT_coatTint, env);
+    Ref held = build_div(ir, build_scale(ir, lobe_of(l, m, env), 2), more);
+    return build_mul(ir, coat, build_add(ir, base, build_sub(ir, reflected(l, m, env), held)));
+}
+
+Ref lower_phong_of_principled(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    switch (slot) {
+    case SLOT_shininess:
+        return exponent_of(l, m, env);
+    case SLOT_specular:
+        return within_slot(l, m, lobe_of(l, m, env), env);
+    case SLOT_diffuse:
+        return within_slot(l, m, matt_of(l, m, env), env);
+    default:
+        return lower_slot(l, m, slot, env);
+    }
+}
