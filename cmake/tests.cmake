@@ -226,6 +226,7 @@ if(NOT SANITIZED)
   matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>) # of depfiles alone; matc writes some under sanitizers in command_line.sh
   matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
   matc_test(out_of_memory sh tests/out_of_memory.sh $<TARGET_FILE:matc> $<TARGET_FILE:failing_malloc>)
+  matc_test(root sh tests/root.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(order sh tests/order.sh)
   matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
   matc_test(locale sh tests/locale.sh)

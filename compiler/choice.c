@@ -265,6 +265,7 @@ void choice_store_options(Bytes *to, const MatcOptions *options)
     bytes_number(to, options->validate);
     bytes_number(to, options->compute);
     bytes_text(to, options->custom ? options->custom->text : "");
+    bytes_text(to, options->root ? options->root : "");
 }
 
 const char *matc_options_fault(const MatcOptions *options)

@@ -92,6 +92,8 @@ typedef struct {
                        them gives. 0: all cases, so that it stays the same whatever a set holds */
     bool compute; /* MATC_COMPUTE will be asked for, by matc_emit: the program is to have the normals that it writes. matc_compile with
                      MATC_COMPUTE knows by itself */
+    const char *root; /* the folder below which all lies that documents name: includes, pictures, meshes and their parts, after links are
+                         resolved. NULL: no limit. A read_file of the caller's is asked instead, and decides by itself */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);

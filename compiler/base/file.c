@@ -1,6 +1,7 @@
 /* Reading whole files. */
 #include "compiler/base/file.h"
 #include "compiler/base/memory.h"
+#include "compiler/base/root.h"
 #include "compiler/base/session.h"
 #include "compiler/base/text.h"
 #include <errno.h>
@@ -64,8 +65,7 @@ char *file_read_from(int descriptor, size_t *size, const char **why)
     return text;
 }
 
-/* Why the descriptor is no file; NULL: it is one. */
-static const char *no_file(int descriptor)
+const char *file_refuses(int descriptor)
 {
     struct stat info;
     if (fstat(descriptor, &info))
@@ -75,8 +75,7 @@ static const char *no_file(int descriptor)
     return S_ISDIR(info.st_mode) ? text_error(EISDIR) : S_ISFIFO(info.st_mode) ? "it is a pipe" : "it is a device";
 }
 
-/* An open file, -1: *why. Without waiting: a pipe's other end may never be opened. */
-static int open_at_once(const char *path, const char **why)
+int file_open(const char *path, const char **why)
 {
     int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (descriptor < 0)
@@ -84,16 +83,7 @@ static int open_at_once(const char *path, const char **why)
     return descriptor;
 }
 
-char *file_read(const char *path, size_t *size, const char **why)
-{
-    int descriptor = open_at_once(path, why);
-    if (descriptor < 0)
-        return NULL;
-    *why = no_file(descriptor);
-    char *text = *why ? NULL : file_read_from(descriptor, size, why);
-    close(descriptor);
-    return text;
-}
+char *file_read(const char *path, size_t *size, const char **why) { return root_read(NULL, path, size, why); }
 
 static char *read_pipe(int descriptor, size_t *size, const char **why)
 {
@@ -109,11 +99,11 @@ static char *read_pipe(int descriptor, size_t *size, const char **why)
 char *file_read_named(const char *path, size_t *size, const char **why)
 {
     struct stat info;
-    int descriptor = open_at_once(path, why);
+    int descriptor = file_open(path, why);
     if (descriptor < 0)
         return NULL;
     bool pipe = !fstat(descriptor, &info) && S_ISFIFO(info.st_mode);
-    *why = pipe ? NULL : no_file(descriptor);
+    *why = pipe ? NULL : file_refuses(descriptor);
     if (*why && isatty(descriptor))
         *why = NULL;
     char *text = *why ? NULL : pipe ? read_pipe(descriptor, size, why) : file_read_from(descriptor, size, why);

@@ -11,6 +11,10 @@ char *file_read_named(const char *path, size_t *size, const char **why);
 /* A document of a command line: the same, and "-" is standard input; diagnostics call that <stdin>. */
 char *file_read_document(const char *path, size_t *size, const char **why);
 const char *file_document_name(const char *path);
+/* Opens for reading without waiting: a pipe's other end may never be opened. -1: *why. */
+int file_open(const char *path, const char **why);
+/* NULL, or the reason why a descriptor is no regular file. */
+const char *file_refuses(int descriptor);
 /* All that comes from a descriptor, whatever it is. */
 char *file_read_from(int descriptor, size_t *size, const char **why);
 #endif

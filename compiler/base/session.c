@@ -1,6 +1,6 @@
 /* The session: files, statistics. */
 #include "compiler/base/session.h"
-#include "compiler/base/file.h"
+#include "compiler/base/root.h"
 #include <string.h>
 #include <time.h>
 
@@ -30,39 +30,10 @@ char *session_read_file(Session *session, const char *path, size_t *size, const 
 {
     if (session->options->read_file)
         return session->options->read_file(session->options->user, path, size, why);
-    return file_read(path, size, why);
+    return root_read(session->options->root, path, size, why);
 }
 
 void session_depend_on(Session *session, const char *path) { names_add(session->arena, &session->depends, path); }
-
-/* Drops `.` and `//` and takes `a/..` together, so that a file has one name. In place. */
-static void normalise(char *path)
-{
-    char *to = path, *start = path + (path[0] == '/');
-    to = start;
-    for (char *part = start; *part;) {
-        size_t size = strcspn(part, "/");
-        char *next = part + size + (part[size] == '/');
-        bool up = size == 2 && part[0] == '.' && part[1] == '.', slash = part[size] == '/';
-        bool can_pop =
-            to > start && !(to - start >= 3 && !memcmp(to - 3, "../", 3) && (to - 3 == start || to[-4] == '/'));
-        if (size == 0 || (size == 1 && part[0] == '.')) {
-            part = next;
-            continue;
-        }
-        if (up && can_pop) {
-            for (to--; to > start && to[-1] != '/';)
-                to--;
-        } else {
-            memmove(to, part, size);
-            to += size;
-            if (slash)
-                *to++ = '/';
-        }
-        part = next;
-    }
-    *to = 0;
-}
 
 const char *session_path_beside(Session *session, const char *from, const char *path)
 {
@@ -71,7 +42,7 @@ const char *session_path_beside(Session *session, const char *from, const char *
     if (path[0] != '/' && slash)
         text_add(&joined, from, (size_t)(slash - from) + 1);
     text_put(&joined, path);
-    normalise(joined.at);
+    root_normalize(joined.at);
     if (joined.at[0] != '<')
         return joined.at;
     Text here = text_new(session->arena); /* what is read from standard input is called <stdin>, and no file is */

@@ -118,6 +118,22 @@ static void say_missing(Session *session, const Tree *name, const Found *found)
     diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, near);
 }
 
+/* Whether some key of a document's outermost level stands in a text. What is none, a password file for instance, is
+ * not read any further, so that no message quotes it. */
+static bool looks_like_document(const Found *found)
+{
+    static const char *const keys[] = {"defs", "include", "colors", "material", "materials", "ref"};
+    static const char before[] = "\n \t{,\"'";
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        for (const char *at = found->text; (at = strstr(at, keys[i])); at++) {
+            const char *end = at + strlen(keys[i]);
+            end += *end == '"' || *end == '\'';
+            if ((at == found->text || strchr(before, at[-1])) && end[strspn(end, " ")] == ':')
+                return true;
+        }
+    return false;
+}
+
 Tree *include_read(Session *session, const Tree *name, int depth, bool *fine)
 {
     Found found = {.path = ""};
@@ -136,6 +152,8 @@ Tree *include_read(Session *session, const Tree *name, int depth, bool *fine)
     }
     if (!is_shipped(found.path))
         session_depend_on(session, found.path);
+    if (!looks_like_document(&found))
+        return diag_add(session, name->span, DIAG_include_no_document, name->text);
     const Source source = {.name = found.path, .text = found.text, .size = found.size};
     ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
     Tree *tree = read_document(session, (uint32_t)session->source_count - 1);

@@ -5,7 +5,7 @@
 #include "compiler/tool/batch_state.h"
 #include "compiler/tool/build_id.h"
 #include "compiler/choice.h"
-#include "compiler/base/file.h"
+#include "compiler/base/root.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,7 +41,7 @@ static bool known_file(Batch *b, const char *path, Key *key)
 /* MatcReadFile: what documents include, noted as it is read. */
 static char *read_noted(void *user, const char *path, size_t *size, const char **why)
 {
-    char *text = file_read(path, size, why);
+    char *text = root_read(((const Batch *)user)->options.root, path, size, why);
     if (text)
         note_file(user, path, key_of_bytes(text, *size));
     return text;

@@ -95,6 +95,7 @@ static const Option options[] = {
     {"--no-validate", TAKES_novalidate, 0, NULL},
     {"-W", TAKES_warning, 0, NULL},
     {"-I", TAKES_folder, 0, NULL},
+    TEXT("--root", compile.root),
     FLAG("--check", compile.check),
     {"--list", TAKES_maybe, offsetof(CommandLine, list), ""},
     {"--schema", TAKES_maybe, offsetof(CommandLine, schema), OPTIONS_SCHEMA},

@@ -24,6 +24,7 @@ static const char before_target[] =
     "  --watch              with -o or -d: stay, and do it again whenever a file changes that it was made from\n"
     "  -I DIR               where `include:` looks for files that are not beside the document; after that, among\n"
     "                       those that come with matc\n"
+    "  --root=DIR           read nothing outside DIR that a document names, links resolved: for documents of others\n"
     "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
     "program\n";
 

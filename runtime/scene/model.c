@@ -2,6 +2,7 @@
  * memory, and what comes back through a pipe is checked like the file itself. So a file that breaks the reader is a fault like others. */
 #include "runtime/scene/model.h"
 #include "compiler/base/memory.h"
+#include "compiler/base/root.h"
 #include "compiler/base/text.h"
 #include "runtime/gl/message.h"
 #include "runtime/scene/model_divide.h"
@@ -82,7 +83,7 @@ static void limit(int what, rlim_t most)
 }
 
 /* The other process, from its begin to its end. */
-static _Noreturn void import_and_send(const char *path, int pipe)
+static _Noreturn void import_and_send(const ModelSource *source, int pipe)
 {
     ModelParts parts;
     Head head = {0};
@@ -90,7 +91,7 @@ static _Noreturn void import_and_send(const char *path, int pipe)
     limit(RLIMIT_CORE, 0);
     if (HAS_MEMORY_LIMIT)
         limit(RLIMIT_AS, (rlim_t)MODEL_MEMORY_MIB << 20);
-    head.done = model_import(path, &parts, head.error, sizeof head.error);
+    head.done = model_import(source, &parts, head.error, sizeof head.error);
     head.has_normals = parts.has_normals;
     head.has_coordinates = parts.has_coordinates;
     head.vertex_count = parts.shape.vertex_count;
@@ -176,7 +177,7 @@ typedef struct {
 } Import;
 
 /* The file's triangles; `head` tells what they have. */
-static bool import_apart(const char *path, Head *head, Import *to)
+static bool import_apart(const ModelSource *source, Head *head, Import *to)
 {
     int ends[2], status = 0;
     if (pipe(ends))
@@ -184,7 +185,7 @@ static bool import_apart(const char *path, Head *head, Import *to)
     const pid_t child = fork();
     if (!child) {
         close(ends[0]);
-        import_and_send(path, ends[1]);
+        import_and_send(source, ends[1]);
     }
     close(ends[1]);
     bool whole = child > 0 && receive(ends[0], head, &to->shape, &to->runs);
@@ -210,9 +211,12 @@ static void turn(Shape *shape)
     }
 }
 
-static bool is_readable(const char *path, char *error, size_t room)
+static bool is_readable(const ModelSource *source, char *error, size_t room)
 {
     struct stat info;
+    const char *path = source->path, *outside = root_refuses(source->root, path);
+    if (outside)
+        return message_fail(error, room, "%s", outside);
     if (find_ending(path) < 0)
         return message_fail(error, room, "a mesh is a file .obj, .gltf, .glb or .ply");
     if (stat(path, &info))
@@ -225,12 +229,12 @@ static bool is_readable(const char *path, char *error, size_t room)
 
 typedef const char *Complete(Shape *shape, bool has_normals, bool has_coordinates);
 
-static bool read_and_complete(const char *path, Complete *complete, Head *head, Import *to)
+static bool read_and_complete(const ModelSource *source, Complete *complete, Head *head, Import *to)
 {
-    if (!is_readable(path, to->error, to->room))
+    if (!is_readable(source, to->error, to->room))
         return false;
-    bool done = import_apart(path, head, to);
-    if (done && endings[find_ending(path)].y_up)
+    bool done = import_apart(source, head, to);
+    if (done && endings[find_ending(source->path)].y_up)
         turn(&to->shape);
     const char *fault = done ? complete(&to->shape, head->has_normals, head->has_coordinates) : NULL;
     if (fault)
@@ -240,10 +244,10 @@ static bool read_and_complete(const char *path, Complete *complete, Head *head, 
     return done;
 }
 
-static bool read_whole(const char *path, Complete *complete, Shape *made, Import *to)
+static bool read_whole(const ModelSource *source, Complete *complete, Shape *made, Import *to)
 {
     Head head = {0};
-    const bool done = read_and_complete(path, complete, &head, to);
+    const bool done = read_and_complete(source, complete, &head, to);
     free(to->runs);
     *made = to->shape;
     return done;
@@ -251,24 +255,42 @@ static bool read_whole(const char *path, Complete *complete, Shape *made, Import
 
 bool model_read(const char *path, Shape *made, char *error, size_t room)
 {
-    return read_whole(path, model_complete, made, &(Import){.error = error, .room = room});
+    return read_whole(&(ModelSource){.path = path}, model_complete, made, &(Import){.error = error, .room = room});
 }
 
 bool model_read_in_place(const char *path, Shape *made, char *error, size_t room)
 {
-    return read_whole(path, model_complete_in_place, made, &(Import){.error = error, .room = room});
+    return read_whole(&(ModelSource){.path = path}, model_complete_in_place, made, &(Import){.error = error, .room = room});
 }
 
-bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t room)
+static bool make_whole(const ModelSource *source, ModelPart **made, int *count, Import *to)
+{
+    ModelPart part = {.material = -1};
+    if (!read_whole(source, model_complete_in_place, &part.shape, to))
+        return false;
+    *made = memory_checked(malloc(sizeof **made));
+    **made = part;
+    *count = 1;
+    return true;
+}
+
+bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error, size_t room)
 {
     Head head = {0};
     Import import = {.error = error, .room = room};
     *count = 0;
     *made = NULL;
-    bool done = read_and_complete(path, model_complete_in_place, &head, &import);
+    if (source->whole)
+        return make_whole(source, made, count, &import);
+    bool done = read_and_complete(source, model_complete_in_place, &head, &import);
     if (done && !model_divide(&import.shape, import.runs, head.run_count, made, count))
         done = message_fail(error, room, "out of memory");
     shape_free(&import.shape);
     free(import.runs);
     return done;
+}
+
+bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t room)
+{
+    return model_read_source(&(ModelSource){.path = path}, made, count, error, room);
 }

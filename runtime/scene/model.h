@@ -37,6 +37,15 @@ typedef struct {
 } ModelPart;
 bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t room);
 
+/* A mesh's file that somebody else's document names. */
+typedef struct {
+    const char *path;
+    const char *root; /* the folder below which it lies, and all files that it names: root.h. NULL: anywhere */
+    bool whole;       /* one part, of material -1, whatever materials it has */
+} ModelSource;
+/* Reads it in place, in parts as model_read_parts() returns them. */
+bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error, size_t room);
+
 /* Adds the files beside itself that a mesh's file is made of: a .gltf's buffers, whether they are there or not. */
 void model_files(const char *path, WatchList *files);
 

@@ -1,5 +1,6 @@
 /* From `_WETNESS` to numbers. A file may be anybody's: each index, count and length is held against what is there. */
 #include "runtime/scene/model_attributes.h"
+#include "compiler/base/root.h"
 #include "compiler/front/gltf_file.h"
 #include "runtime/gl/message.h"
 #include "runtime/scene/model.h"
@@ -8,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /* glTF 2.0, section 3.6.2.2. */
 typedef enum { BYTE = 5120, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, UNSIGNED_INT = 5125, FLOAT } Component;
@@ -258,13 +260,13 @@ static bool read_meshes(Reader *r)
     return true;
 }
 
-/* As large as a mesh's file may be. */
+/* As large as a mesh's file may be; below the root that `user` is. */
 static char *read_file(void *user, const char *path, size_t *size, const char **why)
 {
-    (void)user;
     struct stat info;
-    FILE *file = !stat(path, &info) && S_ISREG(info.st_mode) && info.st_size <= (off_t)MODEL_FILE_MIB << 20
-                     ? fopen(path, "rb")
+    const int descriptor = root_open(user, path, why);
+    FILE *file = descriptor >= 0 && !fstat(descriptor, &info) && info.st_size <= (off_t)MODEL_FILE_MIB << 20
+                     ? fdopen(descriptor, "rb")
                      : NULL;
     char *text = file ? malloc((size_t)info.st_size + 1) : NULL;
     *why = "no such file, or it is too large";
@@ -274,31 +276,34 @@ static char *read_file(void *user, const char *path, size_t *size, const char **
     }
     if (file)
         fclose(file);
+    else if (descriptor >= 0)
+        close(descriptor);
     return text;
 }
 
 /* Most files have none, and their JSON may be long. */
-static bool may_have(const char *path)
+static bool may_have(const ModelSource *source)
 {
     size_t size = 0, at = 0;
     const char *why;
-    char *text = read_file(NULL, path, &size, &why);
+    char *text = read_file((void *)source->root, source->path, &size, &why);
     while (text && at + 1 < size && (text[at] != '"' || text[at + 1] != '_'))
         at++;
     free(text);
     return at + 1 < size;
 }
 
-bool model_attributes_read(Arena *arena, const char *path, ModelAttributes *made, char *error, size_t room)
+bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made, char *error, size_t room)
 {
     GltfFiles files = {0};
     MatcOptions options;
-    const char *dot = strrchr(path, '.'), *why;
+    const char *path = source->path, *dot = strrchr(path, '.'), *why;
     *made = (ModelAttributes){0};
-    if (!dot || (strcmp(dot, ".gltf") != 0 && strcmp(dot, ".glb") != 0) || !may_have(path))
+    if (!dot || (strcmp(dot, ".gltf") != 0 && strcmp(dot, ".glb") != 0) || !may_have(source))
         return true;
     matc_options_init(&options);
     options.read_file = read_file;
+    options.user = (void *)source->root;
     Session session = session_open(&options, arena);
     Reader r = {.place = {&session, &files, path}, .made = made, .error = error, .room = room};
     r.root = gltf_file_root(&r.place, &why);

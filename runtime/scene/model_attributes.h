@@ -4,7 +4,7 @@
 #ifndef MATC_SCENE_MODEL_ATTRIBUTES_H
 #define MATC_SCENE_MODEL_ATTRIBUTES_H
 #include "compiler/base/arena.h"
-#include "runtime/gl/shape.h"
+#include "runtime/scene/model.h"
 #include <stddef.h>
 
 /* Sets of texture coordinates that assimp holds, the numbers of vertices among them. */
@@ -24,5 +24,5 @@ typedef struct {
 
 /* What a .gltf or .glb has of them; of other files nothing. Lanes that an accessor lacks are 0, 0, 0, 1; whole numbers are themselves, or
  * where they are `normalized` what glTF 2.0 says, section 3.6.2.2: a byte of 255 is 1. All lies in the arena. False: *error says where. */
-bool model_attributes_read(Arena *arena, const char *path, ModelAttributes *made, char *error, size_t room);
+bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made, char *error, size_t room);
 #endif

@@ -9,9 +9,9 @@
 #include <string.h>
 
 #ifndef MATC_ASSIMP
-bool model_import(const char *path, ModelParts *parts, char *error, size_t room)
+bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t room)
 {
-    (void)path;
+    (void)source;
     *parts = (ModelParts){0};
     return message_fail(error, room,
                         "this matview was built without assimp (Debian: libassimp-dev), which reads meshes");
@@ -211,14 +211,14 @@ static const char *said(void)
     return strcmp(text, "std::bad_alloc") ? text : "reading it takes too much memory: it is damaged, or too large";
 }
 
-bool model_import(const char *path, ModelParts *parts, char *error, size_t room)
+bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t room)
 {
     Arena arena = {0};
     ModelAttributes attributes;
     *parts = (ModelParts){0};
-    bool done = model_attributes_read(&arena, path, &attributes, error, room);
-    struct aiFileIO files = model_open_files();
-    const struct aiScene *scene = done ? aiImportFileEx(path, steps, &files) : NULL;
+    bool done = model_attributes_read(&arena, source, &attributes, error, room);
+    struct aiFileIO files = model_open_files(source->root);
+    const struct aiScene *scene = done ? aiImportFileEx(source->path, steps, &files) : NULL;
     if (done && !scene)
         done = message_fail(error, room, "%s", said());
     if (scene) {

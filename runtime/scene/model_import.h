@@ -13,5 +13,5 @@ typedef struct {
 } ModelParts;
 
 /* False: *error. */
-bool model_import(const char *path, ModelParts *parts, char *error, size_t room);
+bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t room);
 #endif

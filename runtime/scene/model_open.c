@@ -2,6 +2,7 @@
 #include "runtime/scene/model_open.h"
 #ifdef MATC_ASSIMP
 #include "compiler/base/memory.h"
+#include "compiler/base/root.h"
 #include "compiler/base/text.h"
 #include "runtime/scene/model_number.h"
 #include <assimp/cfileio.h>
@@ -45,13 +46,14 @@ static enum aiReturn seek(struct aiFile *opened, size_t offset, enum aiOrigin or
 }
 
 /* Without waiting for a pipe's other end. NULL: it is no file, or too large. */
-static FILE *open_file(const char *path, size_t *size)
+static FILE *open_file(const char *root, const char *path, size_t *size)
 {
     struct stat info;
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    const char *why;
+    const int descriptor = root_open(root, path, &why);
     if (descriptor < 0)
         return NULL;
-    FILE *file = !fstat(descriptor, &info) && S_ISREG(info.st_mode) && info.st_size <= (off_t)MODEL_FILE_MIB << 20
+    FILE *file = !fstat(descriptor, &info) && info.st_size <= (off_t)MODEL_FILE_MIB << 20
                      ? fdopen(descriptor, "rb")
                      : NULL;
     if (file)
@@ -83,12 +85,12 @@ static void number_file(ModelFile *opened, bool binary)
 
 static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, const char *mode)
 {
-    (void)files, (void)mode;
+    (void)mode;
     ModelFile *opened = calloc(1, sizeof *opened);
     if (!opened)
         memory_exhausted();
     opened->calls = (struct aiFile){read_some, write_nothing, tell, size_of, seek, flush_nothing, NULL};
-    opened->file = open_file(path, &opened->size);
+    opened->file = open_file(files->UserData, path, &opened->size);
     if (opened->file) {
         const char *dot = strrchr(path, '.');
         if (dot && (text_same(dot, ".gltf") || text_same(dot, ".glb")))
@@ -107,5 +109,8 @@ static void close_model_file(struct aiFileIO *files, struct aiFile *opened)
     free(opened);
 }
 
-struct aiFileIO model_open_files(void) { return (struct aiFileIO){open_model_file, close_model_file, NULL}; }
+struct aiFileIO model_open_files(const char *root)
+{
+    return (struct aiFileIO){open_model_file, close_model_file, (aiUserData)root};
+}
 #endif

@@ -4,6 +4,6 @@
 #ifdef MATC_ASSIMP
 #include <assimp/cfileio.h>
 
-struct aiFileIO model_open_files(void);
+struct aiFileIO model_open_files(const char *root); /* NULL: anywhere; root.h */
 #endif
 #endif

@@ -23,23 +23,14 @@ static void add(SceneReader *r, SceneMesh mesh)
     r->scene->mesh_count = (int)count;
 }
 
-static bool read_whole(SceneReader *r, const char *path, char *error, size_t room)
-{
-    SceneMesh mesh = {.path = path, .part = -1};
-    if (!model_read_in_place(path, &mesh.shape, error, room))
-        return false;
-    add(r, mesh);
-    return true;
-}
-
-static bool read_parts(SceneReader *r, const char *path, char *error, size_t room)
+static bool read_file(SceneReader *r, const ModelSource *source, char *error, size_t room)
 {
     ModelPart *parts;
     int count;
-    if (!model_read_parts(path, &parts, &count, error, room))
+    if (!model_read_source(source, &parts, &count, error, room))
         return false;
     for (int i = 0; i < count; i++)
-        add(r, (SceneMesh){.path = path, .shape = parts[i].shape, .part = parts[i].material});
+        add(r, (SceneMesh){.path = source->path, .shape = parts[i].shape, .part = parts[i].material});
     free(parts);
     return true;
 }
@@ -54,7 +45,8 @@ static SceneMeshFile file_of(SceneReader *r, const char *path, bool parts)
         return files->at[number];
     SceneMeshFile file = {.first = r->scene->mesh_count};
     session_depend_on(r->session, path);
-    if (!(parts ? read_parts : read_whole)(r, path, error, sizeof error))
+    const ModelSource source = {path, r->session->options->root, !parts};
+    if (!read_file(r, &source, error, sizeof error))
         file.why = arena_string(r->session->arena, error, strlen(error));
     file.count = r->scene->mesh_count - file.first;
     ARENA_PUSH(r->session->arena, files->at, files->count, files->room, file);

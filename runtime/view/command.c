@@ -146,6 +146,8 @@ static const char *set_option(Command *command, const char *name, const char *va
         command->output = value;
     else if (!strcmp(name, "-I"))
         return add_folder(command, value);
+    else if (!strcmp(name, "--root"))
+        command->compile.root = value;
     else if (!strcmp(name, "-d"))
         command->folder = value;
     else if (!strcmp(name, "--material"))

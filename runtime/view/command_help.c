@@ -32,7 +32,7 @@ const char command_help[] =
     "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
     "  --emit=frame         the passes and their targets, and no picture\n"
     "  --watch              draw again whenever a document, or a file that it depends on, changes\n"
-    "  -I, --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
+    "  -I, --root, --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
     "  --constants, --normals: as matc has them; of a scene, without --layout, the smallest that holds its materials\n"
     "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
     "  --help, --version\n"
