@@ -112,6 +112,8 @@ static const char *text_of(const MatcOptions *options, const TextOption *option)
 {
     const char *value;
     memcpy(&value, (const char *)options + option->member, sizeof value);
+    if (!value && option->member == offsetof(MatcOptions, warnings) && *options->warning_text)
+        return options->warning_text;
     return value;
 }
 
@@ -148,9 +150,30 @@ static bool is_value(const char *option, const char *value)
     return strcmp(option, "warnings") ? index_of(value, option) >= 0 : !warnings_fault(value, &(size_t){0});
 }
 
+/* A list of warnings is no name of a table: the options hold a copy, so that they can themselves be copied. */
+static bool set_warnings(MatcOptions *options, const char *value)
+{
+    const size_t size = value ? strlen(value) + 1 : 0;
+    if (options->size < offsetof(MatcOptions, warning_text) + sizeof options->warning_text ||
+        size > sizeof options->warning_text)
+        return false;
+    options->warnings = NULL;
+    memset(options->warning_text, 0, sizeof options->warning_text);
+    if (value)
+        memcpy(options->warning_text, value, size);
+    return true;
+}
+
 bool matc_options_set(MatcOptions *options, const char *name, const char *value)
 {
-    return text_option(name) && is_value(name, value) && choice_set(options, name, value);
+    NameChoice values;
+    if (!text_option(name) || !is_value(name, value))
+        return false;
+    if (!strcmp(name, "warnings"))
+        return set_warnings(options, value);
+    if (value && choice_values(name, &values)) /* the table's own text outlives the caller's */
+        value = values.name(values.user, index_of(value, name));
+    return choice_set(options, name, value);
 }
 
 static int index_or(const MatcOptions *options, const char *option, int otherwise)
@@ -182,9 +205,14 @@ const TargetRow *choice_target(const MatcOptions *options)
     return target < 0 ? NULL : &target_table[target];
 }
 
+/* The options of the first library of this number end where `warnings` begins: a caller's are at least as long. */
+static bool are_set(const MatcOptions *options) { return options->size >= offsetof(MatcOptions, warnings); }
+
 /* The first option whose value does not exist; NULL: there is none. */
 static const char *fault_of(const MatcOptions *o)
 {
+    if (!are_set(o))
+        return "size";
     if (o->custom && !o->custom->row)
         return "layout";
     for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
@@ -219,11 +247,16 @@ const char *choice_job(const MatcOptions *o, Job *job)
 
 const char *choice_fault(Arena *arena, const MatcOptions *options)
 {
-    const char *option = fault_of(options), *value = option ? choice_value(options, option) : NULL;
+    const char *option = fault_of(options),
+               *value = option && text_option(option) ? choice_value(options, option) : NULL;
     NameChoice values;
     if (!option)
         return NULL;
     Text out = text_new(arena);
+    if (!strcmp(option, "size")) {
+        text_put(&out, "the options were not set by matc_options_init");
+        return out.at;
+    }
     if (!value || !choice_values(option, &values)) {
         text_format(&out, "%s: the one that was given has faults of its own", option);
         return out.at;
@@ -249,9 +282,16 @@ MatcOptions choice_whole_options(const MatcOptions *given)
     matc_options_init(&options);
     if (!given)
         return options;
-    memcpy(&options, given, given->size < sizeof options ? given->size : sizeof options);
-    options.size = sizeof options;
+    if (are_set(given))
+        memcpy(&options, given, given->size < sizeof options ? given->size : sizeof options);
+    options.size = are_set(given) ? sizeof options : given->size;
     return options;
+}
+
+bool choice_check(Session *session)
+{
+    const MatcOptions *options = session->options;
+    return are_set(options) || diag_add(session, NO_SPAN, DIAG_unset_options, (int)options->size);
 }
 
 void choice_store_options(Bytes *to, const MatcOptions *options)

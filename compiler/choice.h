@@ -1,6 +1,7 @@
 /* What a program is written with: the choices of a job as text. choice.c also has choice_job (pipeline.h). */
 #ifndef MATC_CHOICE_H
 #define MATC_CHOICE_H
+#include "compiler/base/session.h"
 #include "compiler/base/bytes.h"
 #include "compiler/base/suggest.h"
 #include "compiler/ir/job.h"
@@ -21,6 +22,8 @@ const char *choice_fault(Arena *arena, const MatcOptions *options);
 void choice_store_options(Bytes *to, const MatcOptions *options);
 /* The options of a caller that may know fewer members, or more: what it does not know has its default. */
 MatcOptions choice_whole_options(const MatcOptions *given);
+/* Reports options that matc_options_init did not set. False: nothing is to be read or compiled by them. */
+bool choice_check(Session *session);
 /* A line an axis: its choice and what settled it. For --stats. */
 void choice_explain(Text *out, const MatcOptions *options, const Job *job);
 #endif

@@ -28,14 +28,16 @@ static MatcDocument *make(const char *name, const char *text, size_t size, const
 MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
 {
     MatcDocument *d = make(name, text, size, options);
-    d->graph = compile_front(&d->session, 0, &d->tree);
+    if (choice_check(&d->session))
+        d->graph = compile_front(&d->session, 0, &d->tree);
     return d;
 }
 
 MatcDocument *document_read(const char *name, const char *text, size_t size, const MatcOptions *options)
 {
     MatcDocument *d = make(name, text, size, options);
-    d->tree = read_document(&d->session, 0);
+    if (choice_check(&d->session))
+        d->tree = read_document(&d->session, 0);
     return d;
 }
 

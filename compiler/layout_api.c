@@ -30,7 +30,7 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
     *session = (Session){.options = &layout->options, .arena = &layout->arena};
     const Source source = {.name = arena_string(session->arena, name, strlen(name)), .text = arena_string(session->arena, text, size), .size = size};
     ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
-    const Tree *tree = read_document(session, 0);
+    const Tree *tree = choice_check(session) ? read_document(session, 0) : NULL;
     const LayoutRow *row = tree ? layout_read(session, tree) : NULL;
     layout->row = session->diags.errors ? NULL : row;
     if (layout->row)
@@ -45,13 +45,13 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
         memory_exhausted();
     layout->options = choice_whole_options(options);
     layout->session = (Session){.options = &layout->options, .arena = &layout->arena};
-    if (ranges->materials) {
+    if (choice_check(&layout->session) && ranges->materials) {
         Text report = text_new(&layout->arena);
         layout->row = auto_layout(&layout->arena, ranges, error, &report);
         finish(layout);
         text_put(&report, layout->report);
         layout->report = report.at;
-    } else {
+    } else if (!layout->session.diags.errors) {
         diag_add(&layout->session, NO_SPAN, DIAG_layout_of_none);
     }
     return layout;

@@ -94,6 +94,7 @@ typedef struct {
                      MATC_COMPUTE knows by itself */
     const char *root; /* the folder below which all lies that documents name: includes, pictures, meshes and their parts, after links are
                          resolved. NULL: no limit. A read_file of the caller's is asked instead, and decides by itself */
+    char warning_text[256]; /* where matc_options_set keeps `warnings`; counts where that is NULL */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);
@@ -102,9 +103,10 @@ MATC_API void matc_linked_free(MatcLinked *linked);
 #define matc_options_init(options) matc_options_init_sized(options, sizeof(MatcOptions))
 MATC_API void matc_options_init_sized(MatcOptions *options, size_t size);
 /* Sets a member by its name: "target", "noise", ...; false, and nothing is set, if it is none of those above `optimize`, nor "warnings" or
- * "normals", or has no such value. NULL is the default. */
+ * "normals", or has no such value. NULL is the default. The value is copied: it may go afterwards, and the options may be assigned. A list of
+ * warnings has at most 255 bytes. */
 MATC_API bool matc_options_set(MatcOptions *options, const char *name, const char *value);
-/* NULL, also of no options, or which option has a value that does not exist; a program that is compiled with it says which values there are. */
+/* NULL, also of no options, or which option has a value that does not exist, "size" where matc_options_init was not called; a program that is compiled with it says which values there are. */
 MATC_API const char *matc_options_fault(const MatcOptions *options);
 
 /* Reads and resolves a document. Never NULL; faults are in its diagnostics, and it then has no materials; nor has one of

@@ -63,9 +63,14 @@ static bool compile_program(MatcProgram *p)
     return true;
 }
 
-/* Options that mean nothing are a fault of the program's. */
+/* A material that is absent, and options that mean nothing, are faults of the program. */
 static bool open_job(MatcProgram *p)
 {
+    if (!choice_check(&p->session))
+        return false;
+    const int count = matc_material_count(p->document);
+    if (p->material < 0 || p->material >= count)
+        return diag_add(&p->session, NO_SPAN, DIAG_no_material_index, p->material, count);
     const char *fault = choice_fault(&p->arena, &p->options);
     if (fault)
         return diag_add(&p->session, NO_SPAN, DIAG_unknown_option, fault);
@@ -85,8 +90,8 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     p->session.measure = (outputs & MATC_STATS) != 0;
     document_lend(d, &p->session);
     p->session.stage_start = session_now();
-    p->ok = d->graph && material >= 0 && material < d->graph->material_count && open_job(p) && compile_program(p) &&
-            (outputs == MATC_KEY || program_write(p, outputs)) && !p->session.diags.errors;
+    p->ok = open_job(p) && compile_program(p) && (outputs == MATC_KEY || program_write(p, outputs)) &&
+            !p->session.diags.errors;
     return p;
 }
 

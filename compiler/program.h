@@ -16,6 +16,7 @@ struct MatcProgram {
     int material;
     Job job;
     bool ok, written; /* the GLSL is there */
+    unsigned asked;   /* MatcOutputs that were asked for so far */
     Ir *ir;
     Products products;
     const char *outputs[OUTPUT_COUNT]; /* by bit of MatcOutput */

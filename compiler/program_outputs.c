@@ -210,12 +210,13 @@ bool program_write(MatcProgram *p, unsigned outputs)
     if (!p->written && !compile_back(&p->session, p->ir, &p->job, &p->products))
         return false;
     p->written = true;
+    p->asked |= outputs;
     fill_outputs(p, outputs);
     p->texture_count = texture_list(&p->session, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
     return fill_stages(p, outputs) && (!(outputs & MATC_SPIRV) || fill_spirv(p, outputs));
 }
 
-/* Of one output of a program that is ok; -1: of none. */
+/* The bit of one output of a program that is ok; -1: there is none. */
 static int bit_of(const MatcProgram *p, unsigned output)
 {
     const bool one = output && !(output & (output - 1)) && output < 1u << OUTPUT_COUNT;
@@ -224,7 +225,7 @@ static int bit_of(const MatcProgram *p, unsigned output)
 
 const char *matc_output(const MatcProgram *p, MatcOutput output, size_t *size)
 {
-    const int bit = bit_of(p, output);
+    const int bit = p->asked & output ? bit_of(p, output) : -1;
     if (size)
         *size = bit >= 0 ? p->sizes[bit] : 0;
     return bit >= 0 ? p->outputs[bit] : NULL;

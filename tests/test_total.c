@@ -83,6 +83,119 @@ static void ask_failed(MatcProgram *p)
 static const char *const faulty[] = {
     "", "{", "material: Phnog\n", "defs: { a: red }\n", "material: Phong\ndiffuse: { ref: a }\n", "[1"};
 
+static void assert_reports(const char *diagnostics, const char *text)
+{
+    if (!strstr(diagnostics, text))
+        fail_msg("'%s' does not say '%s'", diagnostics, text);
+}
+
+/* Options of zeros, and of a size that no library had. */
+static void unset_options(void **state)
+{
+    (void)state;
+    static const char text[] = "material: Phong\n";
+    static const size_t sizes[] = {0, 1, sizeof(size_t), offsetof(MatcOptions, warnings) - 1};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const MatcOptions zeros = {.size = sizes[i], .target = "essl300", .validate = true};
+        MatcOptions changed = zeros;
+        MatcRanges ranges;
+        char *fault = NULL;
+        MatcDocument *d = matc_read("a.yaml", text, strlen(text), &zeros);
+        assert_int_equal(matc_material_count(d), 0);
+        assert_int_equal(matc_error_count(d), 1);
+        assert_reports(matc_diagnostics(d, MATC_TEXT), "matc_options_init");
+        matc_document_free(d);
+        d = matc_read("a.yaml", text, strlen(text), NULL);
+        MatcProgram *p = matc_compile(d, 0, MATC_FRAGMENT, &zeros);
+        ask_failed(p);
+        assert_reports(matc_program_diagnostics(p, MATC_TEXT), "matc_options_init");
+        matc_program_free(p);
+        const char *why = NULL;
+        assert_null(matc_eval(d, 0, "u=0.5", &zeros, &why));
+        assert_non_null(why);
+        assert_non_null(matc_eval_slot(d, 0, "u=0.5", &zeros).fault);
+        MatcPoint point = {.normal = {0, 0, 1}};
+        assert_false(matc_move(d, 0, &zeros, &point, 1));
+        matc_ranges_init(&ranges);
+        assert_false(matc_ranges_add(&ranges, d, 0, &zeros, &fault));
+        assert_reports(fault, "matc_options_init");
+        free(fault);
+        matc_document_free(d);
+        MatcLayout *layout = matc_layout_read("a.yaml", "layout: a\n", 10, &zeros);
+        assert_false(matc_layout_ok(layout));
+        assert_reports(matc_layout_diagnostics(layout, MATC_TEXT), "matc_options_init");
+        matc_layout_free(layout);
+        layout = matc_layout_for(&ranges, 0, &zeros);
+        assert_false(matc_layout_ok(layout));
+        assert_reports(matc_layout_diagnostics(layout, MATC_TEXT), "matc_options_init");
+        matc_layout_free(layout);
+        assert_string_equal(matc_options_fault(&zeros), "size");
+        assert_false(sizes[i] < offsetof(MatcOptions, pass) && matc_options_set(&changed, "pass", "sky"));
+    }
+}
+
+/* An output that was not asked for is absent, whatever was made on the way to another. */
+static void outputs_are_those_asked_for(void **state)
+{
+    (void)state;
+    static const unsigned bits[] = {MATC_FRAGMENT, MATC_VERTEX,      MATC_UNPACK,     MATC_REFLECT,  MATC_IR,
+                                    MATC_DOT,      MATC_LAYOUT,      MATC_TESSVERTEX, MATC_TESSEVAL, MATC_DISPLACE,
+                                    MATC_GEOMETRY, MATC_TESSCONTROL, MATC_SPIRV,      MATC_STATS};
+    MatcOptions options;
+    matc_options_init(&options);
+    options.target = "glsl450";
+    MatcDocument *d = read_text("material: Phong\ndisplacement: { map: Granite }\ndisplacementBound: 1\n", &options);
+    for (size_t i = 0; i < sizeof bits / sizeof *bits; i++) {
+        MatcProgram *p = matc_compile(d, 0, bits[i], &options);
+        assert_true(matc_ok(p));
+        for (size_t k = 0; k < sizeof bits / sizeof *bits; k++) {
+            size_t size = 7;
+            const char *output = matc_output(p, (MatcOutput)bits[k], &size);
+            assert_true(k == i ? output && size : !output && !size);
+        }
+        assert_true(matc_emit(p, MATC_VERTEX));
+        assert_non_null(matc_output(p, MATC_VERTEX, NULL));
+        matc_program_free(p);
+    }
+    matc_document_free(d);
+}
+
+/* The values that matc_options_set is given may go, and the options may be copied. */
+static void options_hold_their_values(void **state)
+{
+    (void)state;
+    static const char *const values[][2] = {{"target", "essl300"}, {"pass", "shadow"},   {"slot", "normal"},
+                                            {"layout", "integer"}, {"noise", "simplex"}, {"precision", "exact"},
+                                            {"aa", "none"},        {"normals", "world"}, {"warnings", "no-no_maps,error"}};
+    char name[32], value[64], lengthy[400];
+    MatcOptions options, copy;
+    matc_options_init(&options);
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        strcpy(name, values[i][0]);
+        strcpy(value, values[i][1]);
+        assert_true(matc_options_set(&options, name, value));
+    }
+    memset(name, 'x', sizeof name - 1);
+    memset(value, 'x', sizeof value - 1);
+    copy = options;
+    memset(&options, 'x', sizeof options);
+    assert_null(matc_options_fault(&copy));
+    assert_string_equal(copy.target, "essl300");
+    assert_string_equal(copy.layout, "integer");
+    MatcDocument *d = matc_read("a.yaml", "material: Phong\nspecular: { map: Blend }\n", 40, &copy);
+    assert_int_equal(matc_error_count(d), 1); /* no_items is an error now */
+    matc_document_free(d);
+    assert_true(matc_options_set(&copy, "warnings", NULL));
+    d = matc_read("a.yaml", "material: Phong\nspecular: { map: Blend }\n", 40, &copy);
+    assert_int_equal(matc_error_count(d), 0);
+    matc_document_free(d);
+    memset(lengthy, 0, sizeof lengthy);
+    while (strlen(lengthy) < 300)
+        strcat(lengthy, "no-no_maps,");
+    lengthy[strlen(lengthy) - 1] = 0;
+    assert_false(matc_options_set(&copy, "warnings", lengthy));
+}
+
 static void faulty_documents(void **state)
 {
     (void)state;
@@ -97,6 +210,7 @@ static void faulty_documents(void **state)
         assert_null(matc_material_name(d, 0));
         MatcProgram *p = matc_compile(d, 0, MATC_FRAGMENT, NULL);
         ask_failed(p);
+        assert_reports(matc_program_diagnostics(p, MATC_TEXT), "there is no material 0: the document has 0");
         matc_program_free(p);
         matc_document_free(d);
     }
@@ -112,6 +226,7 @@ static void materials_beyond(void **state)
             ask_document(d, indexes[i], none ? NULL : &options);
             MatcProgram *p = matc_compile(d, indexes[i], MATC_FRAGMENT, &options);
             ask_failed(p);
+            assert_reports(matc_program_diagnostics(p, MATC_TEXT), ": the document has 1");
             matc_program_free(p);
         }
         matc_document_free(d);
@@ -185,6 +300,9 @@ static void layouts_of_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(unset_options),
+        cmocka_unit_test(outputs_are_those_asked_for),
+        cmocka_unit_test(options_hold_their_values),
         cmocka_unit_test(faulty_documents),          cmocka_unit_test(materials_beyond),
         cmocka_unit_test(options_that_mean_nothing), cmocka_unit_test(parts_beyond),
         cmocka_unit_test(layouts_of_nothing),

@@ -22,7 +22,7 @@ const char *diag_suggest_or_list(const Session *session, const char *name, const
 
 void *diag_add(Session *session, Span span, DiagKind kind, ...)
 {
-    const Severity severity = warnings_severity(session->options ? session->options->warnings : NULL, kind);
+    const Severity severity = warnings_severity(session_warnings(session), kind);
     if (severity == SEVERITY_none)
         return NULL;
     if (diag_full(session)) {

@@ -1,7 +1,6 @@
 /* Reading whole files. */
 #include "compiler/base/file.h"
 #include "compiler/base/memory.h"
-#include "compiler/base/root.h"
 #include "compiler/base/session.h"
 #include "compiler/base/text.h"
 #include <errno.h>
@@ -83,7 +82,20 @@ int file_open(const char *path, const char **why)
     return descriptor;
 }
 
-char *file_read(const char *path, size_t *size, const char **why) { return root_read(NULL, path, size, why); }
+char *file_read_whole(int descriptor, size_t *size, const char **why)
+{
+    if (descriptor < 0)
+        return NULL;
+    *why = file_refuses(descriptor);
+    char *text = *why ? NULL : file_read_from(descriptor, size, why);
+    close(descriptor);
+    return text;
+}
+
+char *file_read(const char *path, size_t *size, const char **why)
+{
+    return file_read_whole(file_open(path, why), size, why);
+}
 
 static char *read_pipe(int descriptor, size_t *size, const char **why)
 {

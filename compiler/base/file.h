@@ -15,6 +15,8 @@ const char *file_document_name(const char *path);
 int file_open(const char *path, const char **why);
 /* NULL, or the reason why a descriptor is no regular file. */
 const char *file_refuses(int descriptor);
+/* The bytes of a regular file that is open, which it closes; of -1 nothing, and *why stays. */
+char *file_read_whole(int descriptor, size_t *size, const char **why);
 /* All that comes from a descriptor, whatever it is. */
 char *file_read_from(int descriptor, size_t *size, const char **why);
 #endif

@@ -141,11 +141,7 @@ int root_open(const char *root, const char *path, const char **why)
 
 char *root_read(const char *root, const char *path, size_t *size, const char **why)
 {
-    const int descriptor = root_open(root, path, why);
-    char *text = descriptor < 0 ? NULL : file_read_from(descriptor, size, why);
-    if (descriptor >= 0)
-        close(descriptor);
-    return text;
+    return file_read_whole(root_open(root, path, why), size, why);
 }
 
 const char *root_refuses(const char *root, const char *path)

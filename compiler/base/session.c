@@ -9,6 +9,14 @@ Session session_open(const MatcOptions *options, Arena *arena)
     return (Session){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
 }
 
+const char *session_warnings(const Session *session)
+{
+    const MatcOptions *options = session->options;
+    if (!options)
+        return NULL;
+    return options->warnings || !*options->warning_text ? options->warnings : options->warning_text;
+}
+
 double session_now(void)
 {
     struct timespec now;

@@ -77,6 +77,8 @@ const char *diag_suggest(const Session *session, const char *name, SuggestName *
 const char *diag_suggest_or_list(const Session *session, const char *name, const NameChoice *names, const char *before);
 /* All diagnostics so far, as text or as a JSON array; in the arena. */
 const char *diag_all(Session *session, MatcForm form);
+/* The settings of warnings, as -W has them; NULL: none. */
+const char *session_warnings(const Session *session);
 /* Seconds of a clock that never goes back. */
 double session_now(void);
 /* Marks the end of a stage for --stats. */

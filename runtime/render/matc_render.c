@@ -1,6 +1,7 @@
 /* The library's surface: what scene.h and render.h offer, for a host that sees neither. */
 #include "runtime/render/matc_render.h"
 #include "compiler/base/memory.h"
+#include "compiler/document.h"
 #include "runtime/frame/frame.h"
 #include "runtime/gl/message.h"
 #include "runtime/render/render.h"
@@ -35,6 +36,8 @@ MatcScene *matc_scene_read(const char *name, const char *text, size_t size, cons
     *document = scene_read(name, text, size, options ? options : &defaults, &made->scene);
     if (made->scene)
         return made;
+    if (!matc_error_count(*document))
+        diag_add(&(*document)->session, NO_SPAN, DIAG_no_scene);
     free(made);
     return NULL;
 }
@@ -81,7 +84,9 @@ MatcRender *matc_render_open(const MatcRenderOptions *options, char *error, size
     if (!r)
         memory_exhausted();
     memcpy(&whole, options, options->size < sizeof whole ? options->size : sizeof whole);
-    if (whole.load ? open_render(r, &whole, error, room) : message_fail(error, room, "no function that loads is given"))
+    if (!options->size)
+        message_fail(error, room, "MatcRenderOptions.size is 0: it is to be sizeof(MatcRenderOptions)");
+    else if (whole.load ? open_render(r, &whole, error, room) : message_fail(error, room, "no function that loads is given"))
         return r;
     matc_render_close(r);
     return NULL;
