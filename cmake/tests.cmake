@@ -52,7 +52,8 @@ set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics
   test_value test_shared test_function test_filtered_mean test_layout_claims
   test_frame_bisection test_frame_bisection_lights test_frame_bisection_moves test_frame_cast test_frame_cycles
   test_frame_displaced test_frame_glass test_frame_coplanar test_frame_history test_frame_hybrid test_frame_indirect_truth test_frame_lights test_frame_many
-  test_frame_meshes test_frame_moving test_frame_radiance test_frame_shade test_frame_silhouette test_frame_soft test_frame_volume_cells)
+  test_frame_meshes test_frame_moved test_frame_moving test_frame_radiance test_frame_shade test_frame_silhouette test_frame_soft test_frame_views
+  test_frame_volume_cells)
 # A program of tests, and what some of them need beside
 function(matc_test_program program)
   add_executable(${program} ${ARGN})
@@ -62,7 +63,7 @@ function(matc_test_program program)
   set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endfunction()
 function(matc_test_needs program name)
-  if(name STREQUAL test_host)
+  if(name STREQUAL test_host OR name STREQUAL test_frame_moved)
     target_include_directories(${program} PRIVATE ${MATC_PUBLIC})
   elseif(name STREQUAL test_picture_file)
     target_include_directories(${program} SYSTEM PRIVATE ${OPENEXR_INCLUDE})
@@ -243,11 +244,11 @@ if(NOT SANITIZED)
 endif()
 
 # A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
-set(LONG test_value=140 install_make=101 test_frame_displacement=82 add=81 test_valid=80 pictures=80 batch=78 install=66 test_host=60 figures=57
+set(LONG test_value=140 test_frame_moved=130 install_make=101 test_frame_displacement=82 add=81 test_valid=80 pictures=80 batch=78 install=66 test_host=60 figures=57
   subproject=55 test_kill_failure=54 test_mended=50 test_frame_cast=50 test_frame_cast_lists=50 command_line=46 test_statistics_cells=43
   test_frame_geometry=43 test_frame_calls=41 test_frame_radiance=40 test_shared=38 test_sky_gloss=36 test_frame_glass=35 test_scene_pictures=34
   schema=33 test_valid_spirv=33 test_frame_exact=31 test_frame=30 test_frame_meshes=29 test_layout_claims=29 test_frame_soft=28 test_kill=26
-  package=26 links=25 test_frame_silhouette_change=25 test_frame_memory=25 test_frame_recount=25 special=23 test_frame_culled=23 view=22
+  package=26 links=25 test_frame_silhouette_change=25 test_frame_memory=25 test_frame_recount=25 special=23 test_frame_culled=23 view=22 test_frame_views=20
   test_frame_exact_cases=22 test_frame_voxel_fine=21 order=21 fuzz_scene_seeds=21 test_growth=20 test_frame_indirect=20 test_frame_traced=20
   test_sky_light=20 test_frame_voxels=19 test_reference_pictures=19 test_frame_far=19 test_frame_samples=19 test_reflection=18 test_stack=18
   test_layout=18 test_frame_bisection=17 test_frame_silhouette=17 test_frame_cycles=17 folder=16 test_stages=16 test_slope=16 test_frame_many=16

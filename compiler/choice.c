@@ -237,6 +237,7 @@ const char *choice_job(const MatcOptions *o, Job *job)
                  .from_buffer = o->constants && !strcmp(o->constants, "uniform")};
     job->moved = o->moved;
     job->computed = o->compute;
+    job->origin = o->origin && job->pass != PASS_sky; /* the sky's position is a direction */
     job->instances = o->instances && target_table[target].storage && job->pass != PASS_plane && job->pass != PASS_sky;
     job->cases = o->cases;
     job->layout = o->custom ? o->custom->row : &layout_table[index_or(o, "layout", target_table[target].layout)];

@@ -95,6 +95,8 @@ typedef struct {
     const char *root; /* the folder below which all lies that documents name: includes, pictures, meshes and their parts, after links are
                          resolved. NULL: no limit. A read_file of the caller's is asked instead, and decides by itself */
     char warning_text[256]; /* where matc_options_set keeps `warnings`; counts where that is NULL */
+    bool origin;  /* The matrices, eye and viewer that are set for a draw are relative to an origin near the camera, since floats
+                     cannot hold positions far from the world's. What reads the position in the world adds the uniform matc_origin */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);

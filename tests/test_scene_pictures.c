@@ -46,7 +46,7 @@ static void assert_same_file(const char *a, const char *b)
 }
 
 /* Into FOLDER/one and FOLDER/own, which have to be alike; what is made on the driver's side for a further frame. */
-static int draw_both(GlContext *gl, const Scene *scene, const ScenePictureOptions *options)
+static int draw_both(GlContext *gl, Scene *scene, const ScenePictureOptions *options)
 {
     char one[64], own[64];
     int made = 0;
@@ -59,7 +59,7 @@ static int draw_both(GlContext *gl, const Scene *scene, const ScenePictureOption
         assert_true(scene_motion_camera(scene, frame, scene->motion.frames, &seen.camera));
         frame_calls = (FrameCalls){0};
         if (pictures)
-            assert_true(scene_pictures_turn(pictures));
+            assert_true(scene_pictures_turn(pictures, scene, &seen));
         else
             assert_true((pictures = scene_pictures_open(gl, options)) && scene_pictures_show(pictures, &seen));
         assert_true(scene_pictures_draw(pictures, one, &picture));

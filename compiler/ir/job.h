@@ -17,6 +17,7 @@ typedef struct {
     unsigned cases;   /* of the layout, 1 << number: those that are read back; 0: all */
     bool moved;       /* vertices stand where they were displaced to */
     bool computed;    /* a compute program is written, too: with the normals of what is displaced */
+    bool origin;      /* positions are relative to INPUT_origin */
     bool instances;   /* an object's matrices, and the numbers of its material, are found by an attribute */
 } Job;
 

@@ -160,7 +160,7 @@ static void visit(Walk *w, Ref root)
 
 static void put_job(Walk *w, const Job *job, int optimize)
 {
-    put(w, (uint32_t)job->target << 16 | (uint32_t)job->pass << 8 | (uint32_t)job->moved << 2 | (uint32_t)job->instances << 1 | (optimize > 0));
+    put(w, (uint32_t)job->target << 16 | (uint32_t)job->pass << 8 | (uint32_t)job->origin << 3 | (uint32_t)job->moved << 2 | (uint32_t)job->instances << 1 | (optimize > 0));
     for (int axis = 0; axis < AXIS_COUNT; axis++) /* library files may exist in variants */
         put(w, axis_table[axis].chunks ? (uint32_t)job->choice[axis] : 0);
 }

@@ -127,6 +127,8 @@ static Ref root_of(Lower *l, Group group, const Env *env)
     if (group == GROUP_E)
         return env->seen ? build_input(ir, INPUT_viewer)
                          : build_vec(ir, TYPE_vec4, env->root[GROUP_N], build_float(ir, 0));
+    if (group == GROUP_P && l->job->origin)
+        return build_add(ir, env->root[GROUP_P], build_input(ir, INPUT_origin));
     return env->root[group];
 }
 

@@ -17,11 +17,12 @@ typedef struct {
     Ref attributes[LIMIT_ATTRIBUTES];
 } Leaves;
 
-/* V = E.xyz - E.w P, of unit length: the same of parallel rays and of those that meet in an eye. It goes from the surface, wherever `input` moves. */
+/* V = E.xyz - E.w P, of unit length: the same of parallel rays and of those that meet in an eye. It goes from the surface, wherever `input` moves. Both are
+ * relative to the same origin (Job.origin), which cancels here and must not be added. */
 static Ref toward_viewer(Lower *l, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref viewer = lower_ask(l, NULL, GROUP_E, env), from = lower_ask(l, NULL, GROUP_P, env);
+    Ref viewer = lower_ask(l, NULL, GROUP_E, env), from = env->root[GROUP_P];
     Ref moved = build_mul(ir, from, build_swizzle(ir, viewer, "w"));
     return build_call(ir, FN_safeNormalize, build_sub(ir, build_swizzle(ir, viewer, "xyz"), moved));
 }

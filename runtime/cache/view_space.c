@@ -1,5 +1,6 @@
 /* Sums in double, rounded once. */
 #include "runtime/cache/view_space.h"
+#include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
@@ -124,6 +125,7 @@ static void cone_of(const SceneLight *light, float out[4])
     out[1] = light->kind == SCENE_Spot ? (float)(-light->outer_cosine / width) : 1;
 }
 
+/* `light` was cut, if it is an Area. */
 static void put_light(const ViewSpace *space, const SceneLight *light, float out[VIEW_SPACE_LIGHT_TEXELS][4])
 {
     const bool far = light->kind == SCENE_Directional;
@@ -165,11 +167,15 @@ void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows,
                        int counts[VIEW_SPACE_SECTIONS])
 {
     float light[VIEW_SPACE_LIGHT_TEXELS][4];
+    SceneLight cut;
     for (int section = 0; section < VIEW_SPACE_SECTIONS; section++) {
         counts[section] = 0;
         for (int i = 0; i < scene->light_count; i++)
             if ((int)view_space_section(&scene->lights[i], shadows) == section) {
-                put_light(space, &scene->lights[i], light);
+                const bool area = section == VIEW_SPACE_AREAS;
+                if (area)
+                    scene_area_cut(&scene->camera, &scene->lights[i], &cut);
+                put_light(space, area ? &cut : &scene->lights[i], light);
                 memcpy(texels, light, (size_t)texels_of(section) * sizeof *texels);
                 texels += texels_of(section);
                 counts[section]++;

@@ -19,6 +19,8 @@ static void set_spaces(const Scene *scene, const ScenePatches *patches, Material
     float local[9];
     for (int i = 0; i < 16; i++)
         spaces.world_from_local.m[i] = (float)world->m[i];
+    for (int i = 0; i < 3; i++)
+        spaces.origin[i] = (float)scene->origin[i];
     scene_matrix_invert(world, &inverse); /* scene_displaced_mesh has seen to that */
     for (int i = 0; i < 9; i++)
         local[i] = (float)inverse.m[i / 3 * 4 + i % 3];

@@ -71,6 +71,7 @@ void spaces_set(const Spaces *spaces, Material *material)
     set(material, "matc_eyeFromWorld", 9, eye_from_world.m);
     set(material, "matc_eyePosition", 3, spaces->parallel ? spaces->rays[0] : spaces->eye);
     set(material, "matc_viewer", 4, spaces->viewer);
+    set(material, "matc_origin", 3, spaces->origin);
     set(material, time_name, 1, &spaces->time);
     set(material, "matc_object", 1, &spaces->object);
     set_plane(spaces, &depth_from_world, material);

@@ -6,6 +6,7 @@
 
 typedef struct {
     Mat4 world_from_local, eye_from_world, clip_from_eye;
+    float origin[3];   /* in the world, of all positions here */
     float eye[3];      /* in the world */
     float viewer[4];   /* the eye and 1, or, of parallel rays, the direction toward it and 0 */
     float time;        /* seconds */

@@ -37,8 +37,8 @@ void pass_tools_place(Render *render)
 static void set_ground(Render *render)
 {
     const double *e = render->space.eye_from_world, *n = e + 8;
-    set(render, "tools_ground",
-        (float[]){(float)n[0], (float)n[1], (float)n[2], (float)(n[0] * e[12] + n[1] * e[13] + n[2] * e[14])});
+    const double along = n[0] * e[12] + n[1] * e[13] + n[2] * e[14] - render->scene->origin[2];
+    set(render, "tools_ground", (float[]){(float)n[0], (float)n[1], (float)n[2], (float)along});
 }
 
 static bool make_vertices(Render *render)

@@ -6,6 +6,7 @@
 #include "runtime/gl/message.h"
 #include "runtime/render/render.h"
 #include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_origin.h"
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -56,6 +57,7 @@ int matc_scene_material_count(const MatcScene *scene) { return scene->scene->mat
 void matc_scene_matrix(const MatcScene *scene, int object, double matrix[16])
 {
     memcpy(matrix, scene->scene->objects[object].world_from_local.m, sizeof(SceneMatrix));
+    scene_origin_from(scene->scene, scene->scene->objects[object].world_from_local.m + 12, matrix + 12);
 }
 
 /* -- renderers */
@@ -138,6 +140,7 @@ bool matc_render_move(MatcRender *r, int object, const double matrix[16])
     SceneMatrix *at = &r->scene->objects[object].world_from_local;
     const SceneMatrix before = *at;
     memcpy(at->m, matrix, sizeof *at);
+    scene_origin_to(r->scene, matrix + 12, at->m + 12);
     const SceneDisplaced meshes = scene_displace_moved(r->scene, object, 1);
     if (meshes == SCENE_DISPLACED_failed) {
         *at = before;
@@ -154,8 +157,9 @@ bool matc_render_look(MatcRender *r, const double position[3], const double targ
     if (!has(r, 0, 1, "camera"))
         return false;
     camera = r->scene->camera;
+    scene_origin_to(r->scene, position, camera.position);
+    scene_origin_to(r->scene, target, camera.target);
     for (int i = 0; i < 3; i++) {
-        camera.position[i] = position[i];
         camera.back[i] = position[i] - target[i];
         upright[i] = up[i];
     }
@@ -166,6 +170,7 @@ bool matc_render_look(MatcRender *r, const double position[3], const double targ
         return gl_fail(r->gl, "up, seen along the view, has no direction");
     scene_vector_cross(camera.back, camera.right, camera.up);
     r->scene->camera = camera;
+    scene_origin_follow(r->scene, &r->scene->camera);
     return render_changed(r->render, RENDER_CAMERA);
 }
 
@@ -173,7 +178,7 @@ bool matc_render_light(MatcRender *r, int light, const double position[3], const
 {
     if (!has(r, light, r->scene ? r->scene->light_count : 0, "light"))
         return false;
-    memcpy(r->scene->lights[light].position, position, 3 * sizeof *position);
+    scene_origin_to(r->scene, position, r->scene->lights[light].position);
     memcpy(r->scene->lights[light].light, rgb, 3 * sizeof *rgb);
     return render_changed(r->render, RENDER_LIGHTS);
 }

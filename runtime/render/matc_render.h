@@ -60,7 +60,8 @@ MATC_API const char *matc_render_error(const MatcRender *render);
 /* Makes what drawing the scene takes: programs, meshes, pictures, targets. Those that the scene before had are not made again. */
 MATC_API bool matc_render_scene(MatcRender *render, MatcScene *scene);
 /* Changes of the scene that is drawn; nothing is made for them, but meshes that are displaced otherwise then: where a material displaces an object by where it is or
- * how large, or by the param. */
+ * how large, or by the param. Positions are the world's, wherever the scene lies: it is drawn relative to an origin near the camera. A camera that has gone
+ * 1,024 times its distance from the target takes that origin with it, for which all is made again. */
 MATC_API bool matc_render_move(MatcRender *render, int object, const double world_from_local[16]);
 MATC_API bool matc_render_look(MatcRender *render, const double position[3], const double target[3],
                                const double up[3]);

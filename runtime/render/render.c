@@ -8,6 +8,8 @@
 #include "runtime/picture/picture.h"
 #include "runtime/render/frame_memory.h"
 #include "runtime/render/passes.h"
+#include "runtime/scene/scene_area.h"
+#include "runtime/scene/scene_origin.h"
 #include "runtime/shadow/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
@@ -137,12 +139,15 @@ static void look(Render *render)
     view_space_make(camera, render->whole, render->zero_to_one, &render->space);
     view_space_place(&render->space, render->whole, render->at);
     render->space.spaces.time = (float)render->scene->time;
+    for (int i = 0; i < 3; i++)
+        render->space.spaces.origin[i] = (float)render->scene->origin[i];
     cull_volume(camera, render->whole, &render->volume);
 }
 
 static bool make_set(Render *render, const Scene *scene)
 {
     const SetUses uses = {shadow_casts(render), pass_voxels_needed(render) && transparency_has_lists(render->gl)};
+    render->compile.origin = scene_origin_used(scene);
     if (!set_make(render->gl, scene, &render->compile, uses, &render->set))
         return false;
     const LayoutRow *layout =
@@ -256,10 +261,21 @@ static bool has_scene(const Render *render)
     return render->scene || gl_fail(render->gl, "there is no scene to change");
 }
 
+/* The scene's coordinates have another origin than when it was made: nothing that was made holds. */
+static bool origin_moved(const Render *render)
+{
+    bool moved = false;
+    for (int i = 0; i < 3; i++)
+        moved |= render->space.spaces.origin[i] != (float)render->scene->origin[i];
+    return moved;
+}
+
 bool render_changed(Render *render, unsigned what)
 {
     if (!has_scene(render))
         return false;
+    if (origin_moved(render))
+        return render_changed_meshes(render);
     if (what & RENDER_LIGHTS && !render_lights_kept(render))
         return render_changed_meshes(render);
     if (what & RENDER_TIME) { /* cut-outs may be others */
@@ -278,7 +294,8 @@ bool render_changed(Render *render, unsigned what)
     }
     render->glass.uncounted |=
         (what & RENDER_CAMERA) != 0 || (what & RENDER_LIGHTS && pass_tone_count(render, FRAME_COUNT_wanted));
-    const bool fitted = what & RENDER_CAMERA && render->scene->shadow_cascades > 1;
+    const bool fitted =
+        what & RENDER_CAMERA && (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
     return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what) &&
            frame_change(render, what) && gl_check(render->gl, "changing a scene");
 }
@@ -290,6 +307,8 @@ bool render_changed_objects(Render *render, int first, int count)
     const CacheSource source = frame_source(render);
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
+    if (origin_moved(render))
+        return render_changed_meshes(render);
     render->glass.uncounted = true;
     if (!cache_move(render->gl, &source, &render->cache, first, count) || !shadow_change(render, true) ||
         !pass_voxels_change(render))

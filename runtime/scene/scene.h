@@ -1,4 +1,5 @@
-/* A scene as plain data: what is seen, what lights it, from where, in which picture. No GL; all numbers in double, in the world's space. */
+/* A scene as plain data: what is seen, what lights it, from where, in which picture. No GL; all numbers in double, in the world's axes, and
+ * positions relative to Scene.origin (scene_origin.h), which is 0 unless the scene lies far from there. */
 #ifndef MATC_SCENE_H
 #define MATC_SCENE_H
 #include "compiler/base/hash.h"
@@ -111,10 +112,20 @@ typedef struct {
     double gain;
 } SceneIndirect;
 
+/* An object or a group of the document's outermost list. */
+typedef struct {
+    double at[3]; /* its translation */
+    int number;   /* in the list */
+    bool plane;   /* it is an infinite plane */
+} SceneRoot;
+
 typedef struct SceneDisplacer SceneDisplacer;
 
 typedef struct Scene {
     int width, height; /* pixels */
+    double origin[3];  /* in the world, of all positions that follow */
+    SceneRoot *roots;
+    int root_count;
     SceneCamera camera;
     SceneMotion motion;
     double time; /* seconds, that materials go by; MatcOptions.time */

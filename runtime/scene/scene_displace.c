@@ -123,6 +123,7 @@ static bool make_mesh(Maker *k, const SceneObject *object, const Base *base, Sce
                                  .material = of->index,
                                  .options = &k->by->options,
                                  .world_from_local = object->world_from_local,
+                                 .origin = scene->origin,
                                  .method = k->by->method,
                                  .level = scene->displaced_level,
                                  .dividing = scene->dividing,
@@ -286,6 +287,8 @@ bool scene_displace(SceneReader *r, const MatcOptions *options)
     return false;
 }
 
+SceneSeen *scene_displace_seen(Scene *scene) { return scene->displacer ? &scene->displacer->seen : NULL; }
+
 void scene_displace_free(Scene *scene)
 {
     for (int i = 0; scene->displacer && i < scene->displacer->param_count; i++)
@@ -298,11 +301,6 @@ const char *scene_displace_fault(const Scene *scene, const SceneMaterial **mater
 {
     *material = &scene->materials[scene->displacer->fault];
     return scene->displacer->why;
-}
-
-const char *scene_displace_name(Word word)
-{
-    return word_table[word].list == PARAM_Displacing ? word_table[word].name : NULL;
 }
 
 SceneDisplaced scene_displace_by(Scene *scene, Word method)

@@ -29,12 +29,12 @@ static void copy(const float from[3], double to[3])
         to[i] = (double)from[i];
 }
 
-MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse)
+MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse, const double origin[3])
 {
     MatcPoint point;
     turn(m, false, vertex->position, point.position);
     for (int i = 0; i < 3; i++)
-        point.position[i] += m->m[12 + i];
+        point.position[i] += m->m[12 + i] + origin[i];
     turn(inverse, true, vertex->normal, point.normal);
     turn(m, false, vertex->tangentU, point.tangent_u);
     turn(m, false, vertex->tangentV, point.tangent_v);
@@ -44,6 +44,11 @@ MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m,
     point.uv[0] = (double)vertex->uv[0];
     point.uv[1] = (double)vertex->uv[1];
     return point;
+}
+
+const char *scene_displace_name(Word word)
+{
+    return word_table[word].list == PARAM_Displacing ? word_table[word].name : NULL;
 }
 
 typedef struct {
@@ -58,13 +63,13 @@ static bool move_points(void *user, const ShapeVertex *at, int count, double (*t
     const SceneMatrix *m = &mover->how->world_from_local, *inverse = &mover->local_from_world;
     MatcPoint *points = malloc(((size_t)count + 1) * sizeof *points);
     for (int i = 0; points && i < count; i++)
-        points[i] = scene_displaced_point(&at[i], m, inverse);
+        points[i] = scene_displaced_point(&at[i], m, inverse, mover->how->origin);
     const bool fine =
         points && matc_move(mover->how->document, mover->how->material, mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {
         double from[3];
         for (int lane = 0; lane < 3; lane++)
-            from[lane] = points[i].position[lane] - m->m[12 + lane];
+            from[lane] = points[i].position[lane] - (m->m[12 + lane] + mover->how->origin[lane]);
         for (int lane = 0; lane < 3; lane++)
             to[i][lane] = inverse->m[lane] * from[0] + inverse->m[4 + lane] * from[1] + inverse->m[8 + lane] * from[2];
     }
@@ -79,7 +84,7 @@ static bool find_solid(void *user, SceneColumn *columns, int count)
     const SceneMatrix *m = &mover->how->world_from_local, *inverse = &mover->local_from_world;
     MatcSolid *points = calloc((size_t)count + 1, sizeof *points);
     for (int i = 0; points && i < count; i++)
-        points[i].at = scene_displaced_point(&columns[i].at, m, inverse);
+        points[i].at = scene_displaced_point(&columns[i].at, m, inverse, mover->how->origin);
     const bool fine =
         points && matc_solid(mover->how->document, mover->how->material, mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {

@@ -10,6 +10,7 @@ typedef struct {
     int material;
     const MatcOptions *options;
     SceneMatrix world_from_local;
+    const double *origin; /* of the matrix' coordinates, in the world */
     Word method; /* WORD_Displacing_mesh, ... */
     int triangles;
     SceneDividing dividing;
@@ -19,8 +20,8 @@ typedef struct {
     bool processor;        /* whoever draws cannot displace */
 } SceneDisplacing;
 
-/* A vertex as matc_move takes it, of an object in the world, by its matrix and the inverse of that. */
-MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse);
+/* A vertex as matc_move takes it, of an object in the world, by its matrix and the inverse of that, and the origin of the matrix' coordinates. */
+MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse, const double origin[3]);
 /* Moved triangles; or, by a method of the driver's, patches: where the height has a bound, since nobody knew else where points are. False: memory ran out, or a value takes too
  * many operations; *made is empty. */
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
@@ -30,4 +31,6 @@ bool scene_displaced_by_driver(Word method, double pixels);
 bool scene_displaced_traced(Word method);
 /* That it has, or is made into, at most. */
 int64_t scene_displaced_triangles(const SceneMesh *mesh);
+/* By what a scene's displaced meshes were divided; NULL: it was not read. scene_displace.c */
+SceneSeen *scene_displace_seen(Scene *scene);
 #endif

@@ -193,6 +193,17 @@ static void read_list(SceneReader *r, const Tree *list, const Around *around);
 static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around);
 static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around);
 
+/* A place of the outermost list, where the origin may be: scene_origin.c. */
+static void add_root(SceneReader *r, const SceneThing *thing, const SceneMatrix *matrix)
+{
+    Scene *scene = r->scene;
+    size_t count = (size_t)scene->root_count;
+    SceneRoot root = {.number = scene->root_count, .plane = thing->kind == SCENE_Plane};
+    memcpy(root.at, matrix->m + 12, sizeof root.at);
+    ARENA_PUSH(r->session->arena, scene->roots, count, r->root_room, root);
+    scene->root_count = (int)count;
+}
+
 /* What is wrong with an object is told once, however often it is met. */
 static void read_object(SceneReader *r, Tree *tree, const Around *around)
 {
@@ -204,6 +215,8 @@ static void read_object(SceneReader *r, Tree *tree, const Around *around)
     const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
                          .material = material_of(r, &thing, around->material),
                          .depth = around->depth + 1};
+    if (around->depth == 0 && !r->aside)
+        add_root(r, &thing, &here.world_from_group);
     if (here.depth > LIMIT_DEPTH) {
         diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
         tree->failed = true, r->fine = false;

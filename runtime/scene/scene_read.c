@@ -3,6 +3,7 @@
 #include "compiler/base/memory.h"
 #include "runtime/scene/scene_part.h"
 #include "runtime/scene/scene_displacement.h"
+#include "runtime/scene/scene_origin.h"
 #include "runtime/scene/scene_stand.h"
 #include <math.h>
 #include <stdlib.h>
@@ -218,7 +219,10 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size, const 
     r.scene->time = document->options.time;
     ARENA_PUSH(r.session->arena, r.asides, r.aside_count, r.aside_room, ((SceneMaterial){NULL, 0}));
     read_scene(&r, tree);
-    if (r.fine && !document->session.diags.errors && scene_stand(&r, options) && scene_displace(&r, options))
+    r.fine = r.fine && !document->session.diags.errors && scene_stand(&r, options);
+    if (r.fine)
+        scene_origin_find(r.scene);
+    if (r.fine && scene_displace(&r, options))
         *made = r.scene;
     else
         scene_free(r.scene);

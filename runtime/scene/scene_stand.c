@@ -118,7 +118,7 @@ static bool moves(const Standing *s, const SceneStood *copy, Moving *made)
     if (s->rounds[object->material])
         scene_surface_rounded(&s->surface, copy->numbers, &s->r->scene->dividing, by);
     for (int i = 0; i < SCENE_SURFACE_AROUND; i++) {
-        made->around[i] = scene_displaced_point(&around[i], &m, &inverse);
+        made->around[i] = scene_displaced_point(&around[i], &m, &inverse, s->r->scene->origin);
         apply(&m, by[i], 0, made->rounded[i]);
     }
     return true;

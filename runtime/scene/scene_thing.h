@@ -29,7 +29,7 @@ typedef struct {
     size_t named_count, material_count, material_room;
     size_t inline_number;    /* of the next name */
     HashIndex inlines, used; /* the trees of those inline; places in scene->materials */
-    size_t object_room, light_room, used_room, mesh_room, document_room;
+    size_t object_room, root_room, light_room, used_room, mesh_room, document_room;
     SceneMeshFiles mesh_files[2]; /* read as a whole; read in parts */
     Names document_paths;         /* of scene->documents */
     int *planes; /* those of the objects that are one */

@@ -1,5 +1,6 @@
 /* Half a cube around each of a light's points. */
 #include "runtime/sight/soft_views.h"
+#include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
@@ -18,11 +19,13 @@ int soft_views_count(const Scene *scene, const SceneLight *light)
 void soft_views_place(const Scene *scene, const SceneLight *light, int number, double position[3])
 {
     const int points = scene->shadow_points, at[2] = {number % points, number / points % points};
-    memcpy(position, light->position, 3 * sizeof *position);
+    SceneLight cut;
+    scene_area_cut(&scene->camera, light, &cut);
+    memcpy(position, cut.position, 3 * sizeof *position);
     for (int edge = 0; edge < 2; edge++) {
         const double part = fmin(fmax((double)at[edge] / (points - 1), inset), 1 - inset);
         for (int i = 0; i < 3; i++)
-            position[i] += part * light->edges[edge][i];
+            position[i] += part * cut.edges[edge][i];
     }
 }
 

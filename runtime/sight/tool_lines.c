@@ -1,4 +1,4 @@
-/* Lines in the world's space, in double, which go to the eye's and are rounded there. */
+/* Lines in the scene's coordinates, in double, which go to the eye's space and are rounded there. */
 #include "runtime/sight/tool_lines.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -13,6 +13,7 @@ static const float grey[3] = {.2140f, .2140f, .2140f}, yellow[3] = {1, .6f, .05f
 
 typedef struct {
     const ViewSpace *space;
+    double zero[3]; /* the world's origin */
     ToolLines *lines;
     bool full; /* memory ran out */
 } Maker;
@@ -41,30 +42,29 @@ static void put(Maker *m, const double p[3], bool ground, const float color[3])
 
 static void line(Maker *m, const double a[3], const double b[3], const float color[3])
 {
-    const bool ground = a[2] == 0 && b[2] == 0;
+    const bool ground = a[2] == m->zero[2] && b[2] == m->zero[2];
     put(m, a, ground, color);
     put(m, b, ground, color);
 }
 
 static void add_axes(Maker *m, double length)
 {
-    static const double origin[3];
     for (int i = 0; i < 3; i++) {
-        double end[3] = {0};
+        double end[3] = {m->zero[0], m->zero[1], m->zero[2]};
         float color[3] = {.02f, .02f, .02f};
-        end[i] = length;
+        end[i] += length;
         color[i] = i == 2 ? 1 : .7f;
-        line(m, origin, end, color);
+        line(m, m->zero, end, color);
     }
 }
 
 /* The square of so many cells from the origin to each side. */
 static void add_grid(Maker *m, int cells, double step)
 {
-    const double side = cells * step;
+    const double side = cells * step, x = m->zero[0], y = m->zero[1], z = m->zero[2];
     for (int i = -cells; i <= cells; i++) {
-        line(m, (double[]){i * step, -side, 0}, (double[]){i * step, side, 0}, grey);
-        line(m, (double[]){-side, i * step, 0}, (double[]){side, i * step, 0}, grey);
+        line(m, (double[]){x + i * step, y - side, z}, (double[]){x + i * step, y + side, z}, grey);
+        line(m, (double[]){x - side, y + i * step, z}, (double[]){x + side, y + i * step, z}, grey);
     }
 }
 
@@ -112,6 +112,7 @@ static void add_spot(Maker *m, const SceneLight *light, double size)
 static void add_directional(Maker *m, const SceneLight *light, double size)
 {
     SceneLight tip = {.direction = {-light->direction[0], -light->direction[1], -light->direction[2]}};
+    memcpy(tip.position, m->zero, sizeof tip.position);
     double end[3];
     around(&tip, (double[]){0, 0}, 4 * size, end);
     line(m, end, tip.position, yellow);
@@ -157,6 +158,8 @@ bool tool_lines_make(const Scene *scene, const ViewSpace *space, ToolLines *made
 {
     Maker maker = {.space = space, .lines = made};
     const SceneTools *tools = &scene->tools;
+    for (int i = 0; i < 3; i++)
+        maker.zero[i] = 0 - scene->origin[i];
     *made = (ToolLines){0};
     if (tools->axes)
         add_axes(&maker, tools->axes_length);

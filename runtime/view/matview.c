@@ -196,7 +196,7 @@ static ScenePictureOptions scene_options(Run *run, const Scene *scene)
 typedef struct {
     Run *run;
     const char *input;
-    const Scene *scene;
+    Scene *scene;
     Scene seen;
     Frames frames;
     ScenePictureOptions options;
@@ -219,7 +219,7 @@ static int draw_frame(Drawing *d, int frame, const char *path)
 {
     if (!frames_place(&d->frames, d->scene, frame, &d->seen))
         return complain(d->input, "the camera has no direction in this frame");
-    if (!(d->pictures ? scene_pictures_turn(d->pictures) : open_pictures(d)))
+    if (!(d->pictures ? scene_pictures_turn(d->pictures, d->scene, &d->seen) : open_pictures(d)))
         return complain(d->input, d->run->gl->error);
     return draw_picture(d->run, d->pictures, d->input, path);
 }

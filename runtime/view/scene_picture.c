@@ -1,5 +1,6 @@
 /* Opens a renderer for all pictures. Tiles are drawn from the top row of them to the lowest: files begin there. */
 #include "runtime/view/scene_picture.h"
+#include "runtime/scene/scene_origin.h"
 #include "runtime/view/view_look.h"
 #include <math.h>
 #include <stdlib.h>
@@ -188,7 +189,14 @@ bool scene_pictures_pixels(ScenePictures *p, unsigned char *rgb)
     return make_band(p) && draw_bands(p, &(Sink){.rgb = rgb});
 }
 
-bool scene_pictures_turn(ScenePictures *p) { return render_changed(p->render, RENDER_CAMERA | RENDER_TIME); }
+/* An origin that has moved makes it another scene. */
+bool scene_pictures_turn(ScenePictures *p, Scene *scene, Scene *seen)
+{
+    if (!scene_origin_follow(scene, &seen->camera))
+        return render_changed(p->render, RENDER_CAMERA | RENDER_TIME);
+    memcpy(seen->origin, scene->origin, sizeof seen->origin);
+    return scene_pictures_show(p, seen);
+}
 
 char *scene_pictures_diagnostics(const ScenePictures *p) { return render_diagnostics(p->render); }
 

@@ -32,8 +32,9 @@ bool scene_pictures_show(ScenePictures *pictures, const Scene *scene);
 char *scene_pictures_diagnostics(const ScenePictures *pictures);
 /* A uniform of the scene's first material. False: gl->error says why. */
 bool scene_pictures_param(ScenePictures *pictures, const char *uniform, const float *lanes, int count);
-/* The scene's camera is another than before. False: gl->error says why. */
-bool scene_pictures_turn(ScenePictures *pictures);
+/* The camera of the scene that is drawn, `seen`, is another than before. `scene` is the scene that `seen` was copied from, whose
+ * objects and lights it shares: where the camera has gone far, both get another origin. False: gl->error says why. */
+bool scene_pictures_turn(ScenePictures *pictures, Scene *scene, Scene *seen);
 /* False: gl->error says why, and there is no file. */
 bool scene_pictures_draw(ScenePictures *pictures, const char *path, ScenePicture *picture);
 /* The same as bytes: three a pixel, row 0 is the bottom row. */
