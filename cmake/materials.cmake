@@ -2,6 +2,7 @@
 #
 #   matc_add_materials(TARGET name SOURCES file.yaml...
 #     [LAYOUT name|file|auto]      the G-buffer's; matc's default
+#     [CASES used|all]             of the layout, what the unpacking text reads; those that the materials write
 #     [PASSES gbuffer shadow...]   gbuffer
 #     [EMIT glsl vertex...]        glsl, vertex, unpack and reflect
 #     [TARGET_GLSL glsl330]        what is written
@@ -59,7 +60,7 @@ function(matc_check_arguments target)
 endfunction()
 
 function(matc_add_materials)
-  cmake_parse_arguments(PARSE_ARGV 0 materials "" "TARGET;LAYOUT;TARGET_GLSL;CONSTANTS;OUTPUT;CACHE"
+  cmake_parse_arguments(PARSE_ARGV 0 materials "" "TARGET;LAYOUT;CASES;TARGET_GLSL;CONSTANTS;OUTPUT;CACHE"
     "SOURCES;PASSES;EMIT;OPTIONS")
   set(target ${materials_TARGET})
   matc_check_arguments("${target}")
@@ -92,7 +93,7 @@ function(matc_add_materials)
   endif()
   list(JOIN materials_EMIT "," materials_EMIT)
   list(JOIN materials_PASSES "," materials_PASSES)
-  foreach(pair emit:EMIT layout:LAYOUT pass:PASSES target:TARGET_GLSL constants:CONSTANTS cache:CACHE)
+  foreach(pair emit:EMIT layout:LAYOUT cases:CASES pass:PASSES target:TARGET_GLSL constants:CONSTANTS cache:CACHE)
     string(REGEX MATCH "^(.*):(.*)$" pair ${pair})
     if(NOT "${materials_${CMAKE_MATCH_2}}" STREQUAL "")
       list(APPEND arguments "--${CMAKE_MATCH_1}=${materials_${CMAKE_MATCH_2}}")

@@ -345,6 +345,7 @@ sed 's/bits: 8/bits: 7/' examples/layouts/lambert.yaml >"$work/docs/lambert.yaml
 cached "a layout changed" "--layout=$work/docs/lambert.yaml" "$@"
 cp "$work/docs/lambert.yaml" "$work/docs/other.yaml"
 cached "a layout of another name" "--layout=$work/docs/other.yaml" --emit=glsl,unpack,layout "$@"
+cached "all cases of the layout" --cases=all --emit=glsl,unpack "$@"
 mkdir "$work/elsewhere" && cp "$work/docs/image.yaml" "$work/elsewhere" && cp "$work/docs/tiles.png" "$work/elsewhere"
 cached "the same document elsewhere" "$work/elsewhere/image.yaml"
 
@@ -391,6 +392,37 @@ mkdir "$work/full"
 check "a cache that keeps nothing" status 0 $fast -j2 --cache "$work/full" -d "$work/with" -MD $all
 check "is told once" test "$(grep -c 'warning: the cache' "$work/stderr")" = 1
 check "and no reason to fail" same "$work/without" "$work/with"
+
+# -- cases of the layout that are read back
+
+cat >"$work/phongs.yaml" <<END
+materials:
+  rough: { material: Phong, diffuse: .5, specular: .2 }
+  matt: { material: Phong, diffuse: .7 }
+END
+# the most common kinds of Principled, as tests/bench/surfaces.def has them
+cat >"$work/common.yaml" <<END
+materials:
+  plastic: { material: Principled, baseColor: '= [u, v, .5 * u * v]', roughness: '= .1 + .9 * u', ior: '= 1.3 + .4 * v' }
+  metal: { material: Principled, baseColor: '= [.9, .4 + .5 * u, .9 * v]', metalness: '= v', specularColor: '= [1, v, u]' }
+  painted: { material: Principled, baseColor: '= [u, v, .02]', coat: '= v', coatRoughness: '= u', coatColor: '= [1, v, u]' }
+  cloth: { material: Principled, baseColor: '= [u, .1, v]', fuzz: '= u', fuzzColor: '= [v, u, 1]', fuzzRoughness: '= v' }
+END
+unpacked() { wc -c <"$work/$1/compact.unpack.glsl"; }
+for set in phongs common; do
+    check "$set" status 0 $matc -d "$work/$set" --cache "$work/cases" --emit=glsl,unpack "$work/$set.yaml"
+    check "$set with all cases" status 0 $matc -d "$work/$set-all" --cache "$work/cases" --emit=glsl,unpack --cases=all "$work/$set.yaml"
+    check "$set again" status 0 $matc -d "$work/$set-again" --cache "$work/cases" --emit=glsl,unpack --cases=used "$work/$set.yaml"
+    check "which are what the cache gives" cmp -s "$work/$set/compact.unpack.glsl" "$work/$set-again/compact.unpack.glsl"
+    check "the manifest lists all" grep -q '"cases": \[0, 1, 2, .*, 31\]' "$work/$set-all/manifest.json"
+    check "programs are the same" cmp -s "$(ls "$work/$set"/*.frag | head -1)" "$(ls "$work/$set-all"/*.frag | head -1)"
+done
+check "Phongs take the first case" grep -q '"cases": \[0\]' "$work/phongs/manifest.json"
+check "which is read by 3 KB" test "$(unpacked phongs)" -le 3072
+check "the common kinds by 8" test "$(unpacked common)" -le 8192
+check "all cases take more" test "$(unpacked phongs-all)" -gt 20000
+check "and are those of a document alone" status 0 $matc --emit=unpack examples/checker.yaml -o "$work/alone.glsl"
+check "to the byte" cmp -s "$work/alone.glsl" "$work/phongs-all/compact.unpack.glsl"
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

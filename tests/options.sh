@@ -9,6 +9,14 @@ trap 'rm -rf "$work"' EXIT
 fast="$matc --no-validate"
 example=examples/checker.yaml
 
+# -- --cases: of a set
+
+check "--cases=some is wrong usage" status 2 $fast -d "$work/none" --cases=some $example
+check "and it is said" says "--cases"
+check "a document alone has all cases" status 2 $fast --cases=used $example
+check "which is said" says '--cases is of the set that -d writes'
+check "nothing is written" test ! -e "$work/none"
+
 # -- --layout-error: above 0, at most 0.5
 
 auto="$fast --layout=auto --emit=layout -o $work/layout.yaml $example"

@@ -1,9 +1,8 @@
 /* The other side of a layout: GLSL that reads the render targets back into a Surface. Made from the layout's rows. */
 #include "compiler/emit/emit.h"
+#include "compiler/emit/unpack_shared.h"
 #include "compiler/layout/layout.h"
 #include <string.h>
-
-static bool takes(const Job *job, int number) { return !job->cases || job->cases >> number & 1; }
 
 /* The slot is in what comes back: of the layout, or of a case that is taken. */
 static bool comes_back(const Job *job, Slot slot)
@@ -11,8 +10,8 @@ static bool comes_back(const Job *job, Slot slot)
     if (layout_fixed(job->layout, slot))
         return true;
     for (int i = 0; i < job->layout->case_count; i++)
-        if (takes(job, i) &&
-            (layout_case_has_slot(&job->layout->cases[i], slot) || layout_case_fixed(&job->layout->cases[i], slot)))
+        if (unpack_takes(job, i) && (layout_case_has_slot(&job->layout->cases[i], slot) ||
+                                     layout_case_fixed(&job->layout->cases[i], slot)))
             return true;
     return false;
 }
@@ -21,7 +20,7 @@ static bool comes_back(const Job *job, Slot slot)
 static int last_taken(const Job *job)
 {
     int last = job->layout->case_count - 1;
-    while (last > 0 && !takes(job, last))
+    while (last > 0 && !unpack_takes(job, last))
         last--;
     return last;
 }
@@ -29,9 +28,22 @@ static int last_taken(const Job *job)
 static int first_taken(const Job *job)
 {
     int first = 0;
-    while (first < last_taken(job) && !takes(job, first))
+    while (first < last_taken(job) && !unpack_takes(job, first))
         first++;
     return first;
+}
+
+/* A function of the library; its comments only where all cases are read, as that text stands for
+ * the layout and is read by people. */
+static void put_chunk(Text *out, const Job *job, const char *body)
+{
+    for (size_t size; *body; body += size) {
+        size = strcspn(body, "\n");
+        size += body[size] == '\n';
+        if (!job->cases || strncmp(body, "//", 2) != 0)
+            text_add(out, body, size);
+    }
+    text_char(out, '\n');
 }
 
 /* The chunks that decode the layout's fields, each once. */
@@ -39,15 +51,13 @@ static void put_chunks(Session *session, Text *out, const Job *job)
 {
     Chunks chunks = {0};
     for (int i = 0; i < job->layout->case_count; i++)
-        for (int k = 0; takes(job, i) && k < job->layout->cases[i].field_count; k++) {
+        for (int k = 0; unpack_takes(job, i) && k < job->layout->cases[i].field_count; k++) {
             const char *name = encoding_table[job->layout->cases[i].fields[k].encoding].unpack;
             if (*name)
                 chunks_add(session, &chunks, name, job);
         }
-    for (size_t i = 0; i < chunks.count; i++) {
-        text_put(out, chunks.at[i]->body);
-        text_char(out, '\n');
-    }
+    for (size_t i = 0; i < chunks.count; i++)
+        put_chunk(out, job, chunks.at[i]->body);
 }
 
 static const char *in_space(const Job *job) { return job->normals == NORMALS_world ? "in the world" : "in eye space"; }
@@ -154,6 +164,53 @@ static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, co
     text_put(out, piece->field->gray ? ");\n" : ";\n");
 }
 
+/* How many of these pieces are the lanes of one slot, one after the other; 0: no slot's. */
+static int vector_of(const Piece *pieces, int count)
+{
+    const SlotLane *first = &pieces->field->source[pieces->first];
+    const int lanes = type_table[slot_table[first->slot].type].lanes;
+    if (lanes < 2 || lanes > count)
+        return 0;
+    for (int i = 0; i < lanes; i++) {
+        const SlotLane *source = &pieces[i].field->source[pieces[i].first];
+        if (pieces[i].count != 1 || pieces[i].field->gray || source->slot != first->slot ||
+            source->lane != i)
+            return 0;
+    }
+    return lanes;
+}
+
+/* surface.diffuse = vec3(...); */
+static void put_vector(Text *out, const LayoutRow *layout, const Piece *pieces, const char *indent)
+{
+    const SlotRow *slot = &slot_table[pieces->field->source[pieces->first].slot];
+    text_format(out, "%ssurface.%s = %s(", indent, slot->name, type_table[slot->type].name);
+    for (int i = 0; i < type_table[slot->type].lanes; i++) {
+        text_put(out, i ? ", " : "");
+        put_value(out, layout, &pieces[i]);
+    }
+    text_put(out, ");\n");
+}
+
+/* The pieces of a case, but for those that cases share; NULL: there are none. */
+static void put_pieces(Text *out, const Job *job, const Placement *placement,
+                       const UnpackShared *shared)
+{
+    const char *indent = shared ? "        " : "    ";
+    for (int i = 0, lanes; i < placement->count; i += lanes) {
+        const Piece *piece = &placement->pieces[i];
+        bool any = false;
+        lanes = vector_of(piece, placement->count - i);
+        for (int k = 0; k < lanes; k++)
+            any |= shared && unpack_is_shared(shared, &piece[k]);
+        if (lanes && !any)
+            put_vector(out, job->layout, piece, indent);
+        lanes = lanes && !any ? lanes : 1;
+        if (lanes == 1 && !(shared && unpack_is_shared(shared, piece)))
+            put_piece(out, job->layout, piece, indent, i);
+    }
+}
+
 /* A slot that is not stored: the same for all of the case or the layout, or as absent ones are. */
 static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slot slot, const char *indent)
 {
@@ -207,28 +264,42 @@ static bool leaves_out(const Job *job, int number, Slot slot)
     return comes_back(job, slot) && !layout_case_has_slot(&job->layout->cases[number], slot);
 }
 
-/* The pieces of a case, then the slots that it leaves out; of `several` cases those alone that it says itself. */
-static void put_case(Text *out, const Job *job, int number, bool several)
+/* The pieces of a case, then the slots that it leaves out. */
+static void put_case(Text *out, const Job *job, int number)
 {
-    const LayoutRow *layout = job->layout;
-    const CaseRow *row = &layout->cases[number];
-    const char *indent = several ? "        " : "    ";
     Placement placement;
-    layout_allocate(layout, number, &placement); /* lowering has told what does not fit */
-    for (int i = 0; i < placement.count; i++)
-        put_piece(out, layout, &placement.pieces[i], indent, i);
+    layout_allocate(job->layout, number, &placement); /* lowering has told what does not fit */
+    put_pieces(out, job, &placement, NULL);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (leaves_out(job, number, (Slot)slot) && (!several || layout_case_fixed(row, (Slot)slot)))
-            put_known(out, layout, row, (Slot)slot, indent);
+        if (leaves_out(job, number, (Slot)slot))
+            put_known(out, job->layout, &job->layout->cases[number], (Slot)slot, "    ");
 }
 
-/* What slots are in cases that leave them out: said once, before it is known which case it is. */
-static void put_left_out(Text *out, const Job *job)
+/* One of several cases: what is not said before the branch. */
+static void put_case_of(Text *out, const Job *job, int number, const UnpackShared *shared)
+{
+    const CaseRow *row = &job->layout->cases[number];
+    Placement placement;
+    layout_allocate(job->layout, number, &placement);
+    put_pieces(out, job, &placement, shared);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (leaves_out(job, number, (Slot)slot) &&
+            (layout_case_fixed(row, (Slot)slot) || unpack_shares(shared, (Slot)slot)))
+            put_known(out, job->layout, row, (Slot)slot, "        ");
+}
+
+/* Slots that most cases share, and those that some leave out: once, before it is known which
+ * case it is. */
+static void put_before_cases(Text *out, const Job *job, const UnpackShared *shared)
 {
     static const CaseRow none = {0};
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        for (int i = 0; i <= last_taken(job); i++)
-            if (takes(job, i) && leaves_out(job, i, (Slot)slot) &&
+        for (int lane = 0; lane < FIELD_LANES; lane++)
+            if (shared->has[slot][lane])
+                put_piece(out, job->layout, &shared->pieces[slot][lane], "    ", slot);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        for (int i = 0; i <= last_taken(job) && !unpack_shares(shared, (Slot)slot); i++)
+            if (unpack_takes(job, i) && leaves_out(job, i, (Slot)slot) &&
                 !layout_case_fixed(&job->layout->cases[i], (Slot)slot)) {
                 put_known(out, job->layout, &none, (Slot)slot, "    ");
                 break;
@@ -263,18 +334,19 @@ static void put_cases(Text *out, const Job *job)
 {
     const int last = last_taken(job);
     if (first_taken(job) == last) {
-        put_case(out, job, last, false);
+        put_case(out, job, last);
         return;
     }
-    put_left_out(out, job);
+    const UnpackShared shared = unpack_shared(job);
+    put_before_cases(out, job, &shared);
     put_number(out, job->layout);
     for (int i = 0; i <= last; i++) {
-        if (!takes(job, i))
+        if (!unpack_takes(job, i))
             continue;
         if (i < last)
             text_format(out, "if (number == %du) ", i);
         text_put(out, "{\n");
-        put_case(out, job, i, true);
+        put_case_of(out, job, i, &shared);
         text_put(out, i < last ? "    } else " : "    }\n");
     }
 }

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEFAULT_LIMIT_MIB = 1024, ENTRY_VERSION = 2 };
+enum { DEFAULT_LIMIT_MIB = 1024, ENTRY_VERSION = 3 };
 
 /* The contents of a file as this batch first read it. Materials of two states would be half a set. */
 static void note_file(Batch *b, const char *path, Key key)

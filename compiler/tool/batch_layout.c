@@ -72,6 +72,17 @@ void batch_make_layout(Batch *b)
     }
 }
 
+unsigned batch_cases(const Batch *b)
+{
+    unsigned cases = 0;
+    if (b->line->cases && !strcmp(b->line->cases, OPTIONS_CASES_ALL))
+        return 0;
+    for (int i = 0; i < b->program_count; i++)
+        for (const Unit *unit = b->programs[i].first; unit; unit = unit->next)
+            cases |= unit->layout_case < 0 ? 0 : 1u << unit->layout_case;
+    return cases;
+}
+
 /* One file for all programs: the layout is theirs. */
 void batch_write_layout(Batch *b)
 {
@@ -84,6 +95,7 @@ void batch_write_layout(Batch *b)
         Session session = session_open(&b->options, &arena);
         Job job;
         choice_job(&b->options, &job);
+        job.cases = batch_cases(b);
         const char *unpack = emit_unpack(&session, &job);
         Text layout = text_new(&arena);
         layout_write(&layout, job.layout);

@@ -133,6 +133,8 @@ bool batch_reads(const Batch *batch, const char *name);
 void batch_make_layout(Batch *batch); /* with --layout=auto */
 /* One file for all programs: the GLSL that unpacks, and the layout itself. */
 void batch_write_layout(Batch *batch);
+/* Cases of the layout that the materials write, 1 << number; 0: all are read back. */
+unsigned batch_cases(const Batch *batch);
 
 /* -- batch_document.c */
 bool batch_open(Batch *batch, BatchDocument *document);

@@ -17,6 +17,17 @@ static void put_file_name(Text *out, const char *key, const char *name, const ch
     json_next(out, key, file.at);
 }
 
+/* Numbers of the cases that are read back, all of them if the set is 0. */
+static void put_cases(Text *out, const LayoutRow *layout, unsigned cases)
+{
+    const char *before = "";
+    for (int i = 0; i < layout->case_count; i++)
+        if (!cases || cases >> i & 1) {
+            text_format(out, "%s%d", before, i);
+            before = ", ";
+        }
+}
+
 static void put_layout(Text *out, const Batch *b)
 {
     Job job;
@@ -33,6 +44,8 @@ static void put_layout(Text *out, const Batch *b)
         text_put(out, i ? ", " : "");
         json_string(out, format_table[job.layout->formats[i]].name);
     }
+    text_put(out, "], \"cases\": [");
+    put_cases(out, job.layout, batch_cases(b));
     text_put(out, "]");
     if (b->line->emit[EMIT_unpack])
         put_file_name(out, "unpack", job.layout->name, emit_table[EMIT_unpack].suffix);

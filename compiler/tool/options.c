@@ -82,6 +82,7 @@ static const Option options[] = {
     {"--powers", TAKES_compile, 0, NULL},
     {"--trigonometry", TAKES_compile, 0, NULL},
     TEXT("--layout-error", layout_error),
+    TEXT("--cases", cases),
     TEXT("--material", material),
     TEXT("--eval", eval),
     TEXT("--explain", explain),

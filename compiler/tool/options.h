@@ -6,6 +6,7 @@
 
 enum { MOST_PASSES = 8 };
 #define OPTIONS_SCHEMA "document" /* what --schema asks for by itself */
+#define OPTIONS_CASES_ALL "all"   /* --cases: the unpacking text reads every case of the layout */
 
 /* Outputs that a run may write, in the order of --emit's names. */
 typedef enum {
@@ -66,6 +67,7 @@ typedef struct {
     const char *range;        /* --range */
     const char *gl;           /* --gl */
     const char *layout_error; /* --layout-error */
+    const char *cases;        /* --cases: used or all; NULL: used */
     bool pareto, stats, watch, help, version;
     const char *list;          /* --list: of which kind, "" for all; NULL */
     const char *schema;        /* --schema: of which file; NULL */

@@ -60,6 +60,26 @@ static const char *check_output(const CommandLine *line)
     return NULL;
 }
 
+static const char *case_value(const void *user, int i)
+{
+    (void)user;
+    return i ? OPTIONS_CASES_ALL : "used";
+}
+
+/* --cases is of what -d writes for all materials together. */
+static const char *check_cases(CommandLine *line)
+{
+    const NameChoice values = {case_value, NULL, 2};
+    if (!line->cases)
+        return NULL;
+    if (strcmp(line->cases, case_value(NULL, 0)) != 0 &&
+        strcmp(line->cases, case_value(NULL, 1)) != 0)
+        return options_fault_value(&line->words, "--cases", line->cases, &values);
+    return line->folder
+               ? NULL
+               : "--cases is of the set that -d writes; a document alone is read back in all cases";
+}
+
 /* What has no effect alone. */
 static const char *check_companions(const CommandLine *line)
 {
@@ -106,5 +126,7 @@ const char *options_check(CommandLine *line)
         fault = check_measuring(line);
     if (!fault)
         fault = check_output(line);
+    if (!fault)
+        fault = check_cases(line);
     return fault ? fault : check_companions(line);
 }

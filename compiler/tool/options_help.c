@@ -34,6 +34,8 @@ static const char before_layout[] =
 static const char after_layout[] =
     "                       auto: the smallest that holds all materials given. --explain L shows its fields\n"
     "  --layout-error=E     of auto: what a colour's square root may be off (0.00196), other slots in proportion\n"
+    "  --cases=C            with -d, what the unpacking text reads of the layout: used (default), the cases that the\n"
+    "                       materials write; all, so that it holds for materials that come later\n"
     "  --normals=N          of a G-buffer: of eye space (default) or the world\n"
     "  --precision=P        fast (default), balanced, exact: sets the next four; each can still be named\n"
     "  --constants=C        baked, uniform: numbers of the document come from a uniform block; auto (default): with "

@@ -2,6 +2,7 @@
 #include "compiler/tool/unit.h"
 #include "grammar/tables.h"
 #include "compiler/base/json_write.h"
+#include "compiler/base/session.h"
 #include "compiler/base/sets.h"
 #include "compiler/base/text.h"
 #include <stdlib.h>
@@ -76,6 +77,7 @@ void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *text
     unit->key = key_read(matc_key(program));
     unit->shape = key_read(matc_shape(program));
     unit->pass = unit_pass(program);
+    unit->layout_case = matc_case(program);
     take_numbers(unit, program, buffered);
     put_uniforms(&own, program);
     put_textures(&own, program, textures);
@@ -184,6 +186,7 @@ void unit_store(Bytes *to, const Unit *unit)
     bytes_add(to, &unit->key, sizeof unit->key);
     bytes_add(to, &unit->shape, sizeof unit->shape);
     bytes_number(to, (uint32_t)unit->pass);
+    bytes_number(to, (uint32_t)(unit->layout_case + 1));
     bytes_block(to, unit->lanes, (size_t)unit->count);
     bytes_block(to, unit->bits, (size_t)unit->bit_count * sizeof *unit->bits);
     bytes_text(to, unit->own);
@@ -199,19 +202,21 @@ bool unit_load(BytesReader *from, Unit *unit)
 {
     size_t count, size, files_size;
     const void *key = bytes_take(from, sizeof unit->key), *shape = bytes_take(from, sizeof unit->shape);
-    uint32_t pass = bytes_take_number(from);
+    uint32_t pass = bytes_take_number(from), numbered = bytes_take_number(from);
     const char *lanes = bytes_take_block(from, &count), *bits = bytes_take_block(from, &size),
                *own = bytes_take_text(from);
     const char *files = bytes_take_block(from, &files_size);
     size_t wanted = 0;
     for (size_t i = 0; !from->broken && i < count; i++)
         wanted += (size_t)(lanes[i] > UNIT_WORDS ? lanes[i] - UNIT_WORDS : lanes[i]);
-    if (from->broken || pass >= PASS_COUNT || size != wanted * sizeof *unit->bits ||
-        files_size > MOST_UNIT_FILES * sizeof *unit->files || files_size % sizeof *unit->files)
+    if (from->broken || pass >= PASS_COUNT || numbered > LIMIT_LAYOUT_CASES ||
+        size != wanted * sizeof *unit->bits || files_size > MOST_UNIT_FILES * sizeof *unit->files ||
+        files_size % sizeof *unit->files)
         return false;
     memcpy(&unit->key, key, sizeof unit->key);
     memcpy(&unit->shape, shape, sizeof unit->shape);
     unit->pass = (int)pass;
+    unit->layout_case = (int)numbered - 1;
     unit->count = (int)count;
     unit->bit_count = (int)wanted;
     unit->lanes = copy(lanes, count);

@@ -22,6 +22,7 @@ enum { UNIT_WORDS = 4, MOST_UNIT_FILES = 4 /* the newest first */ };
 typedef struct Unit {
     Key key, shape; /* of the program: matc_key and matc_shape */
     int pass;       /* of the program: that of an opaque material's shadow is depth */
+    int layout_case; /* of the layout, that it writes; -1: it writes none */
     int count;      /* numbers that may come from a buffer: places, or members already */
     uint8_t *lanes; /* of each: 1 to 4 of floats; UNIT_WORDS more for words */
     uint32_t *bits; /* all lanes, one after the other: of floats, or words */

@@ -64,9 +64,7 @@ Surface unpackTexels(vec4 target0, vec4 target1) {
     vec2 group4 = unpackRadix(target1.x);
     surface.specular.y = group4.x;
     surface.specular.z = group4.y;
-    surface.emissive.x = target1.y;
-    surface.emissive.y = target1.z;
-    surface.emissive.z = target1.w;
+    surface.emissive = vec3(target1.y, target1.z, target1.w);
     return surface;
 }
 

@@ -75,6 +75,10 @@ vec3 sharedExponentFromBits(uint code, int bits) {
 
 Surface unpackTexels(uvec4 target0) {
     Surface surface;
+    surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
+    surface.diffuse.x = rootFromBits(target0.y >> 20 & 255u, 8);
+    surface.diffuse.y = rootFromBits(target0.z & 255u, 8);
+    surface.diffuse.z = rootFromBits(target0.z >> 8 & 255u, 8);
     surface.specular = vec3(0.0);
     surface.shininess = 4.0;
     surface.transparency = vec3(0.0);
@@ -86,53 +90,26 @@ Surface unpackTexels(uvec4 target0) {
     surface.ior = 1.0;
     uint number = target0.x & 3u;
     if (number == 0u) {
-        surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
         surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
-        surface.diffuse.x = rootFromBits(target0.y >> 10 & 255u, 8);
-        surface.diffuse.y = rootFromBits(target0.y >> 18 & 255u, 8);
-        surface.diffuse.z = rootFromBits(target0.z & 255u, 8);
-        surface.specular.x = rootFromBits(target0.z >> 8 & 255u, 8);
-        surface.specular.y = rootFromBits(target0.z >> 16 & 255u, 8);
-        surface.specular.z = rootFromBits(target0.z >> 24, 8);
-        surface.diffuseTransparency.x = rootFromBits(target0.w & 255u, 8);
-        surface.diffuseTransparency.y = rootFromBits(target0.w >> 8 & 255u, 8);
-        surface.diffuseTransparency.z = rootFromBits(target0.w >> 16 & 255u, 8);
+        surface.diffuse = vec3(rootFromBits(target0.y >> 10 & 255u, 8), rootFromBits(target0.y >> 18 & 255u, 8), rootFromBits(target0.z & 255u, 8));
+        surface.specular = vec3(rootFromBits(target0.z >> 8 & 255u, 8), rootFromBits(target0.z >> 16 & 255u, 8), rootFromBits(target0.z >> 24, 8));
+        surface.diffuseTransparency = vec3(rootFromBits(target0.w & 255u, 8), rootFromBits(target0.w >> 8 & 255u, 8), rootFromBits(target0.w >> 16 & 255u, 8));
     } else if (number == 1u) {
         surface.emissive = sharedExponentFromBits(target0.x >> 2 & 67108863u, 7);
         surface.normal = octahedralFromBits(target0.y & 16777215u, 12);
         surface.shininess = logarithmFromBits(target0.z & 1023u, 10);
-        surface.diffuse.x = rootFromBits(target0.y >> 24, 8);
-        surface.diffuse.y = rootFromBits(target0.z >> 10 & 255u, 8);
-        surface.diffuse.z = rootFromBits(target0.z >> 18 & 255u, 8);
-        surface.specular.x = rootFromBits(target0.w & 255u, 8);
-        surface.specular.y = rootFromBits(target0.w >> 8 & 255u, 8);
-        surface.specular.z = rootFromBits(target0.w >> 16 & 255u, 8);
+        surface.diffuse = vec3(rootFromBits(target0.y >> 24, 8), rootFromBits(target0.z >> 10 & 255u, 8), rootFromBits(target0.z >> 18 & 255u, 8));
+        surface.specular = vec3(rootFromBits(target0.w & 255u, 8), rootFromBits(target0.w >> 8 & 255u, 8), rootFromBits(target0.w >> 16 & 255u, 8));
     } else if (number == 2u) {
-        surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
         surface.transparencyShininess = logarithmFromBits(target0.y & 1023u, 10);
         surface.ior = logarithmFromBits(target0.y >> 10 & 1023u, 10);
-        surface.diffuse.x = rootFromBits(target0.y >> 20 & 255u, 8);
-        surface.diffuse.y = rootFromBits(target0.z & 255u, 8);
-        surface.diffuse.z = rootFromBits(target0.z >> 8 & 255u, 8);
-        surface.transparency.x = rootFromBits(target0.z >> 16 & 255u, 8);
-        surface.transparency.y = rootFromBits(target0.z >> 24, 8);
-        surface.transparency.z = rootFromBits(target0.w & 255u, 8);
-        surface.ambient.x = rootFromBits(target0.w >> 8 & 127u, 7) * 0.2;
-        surface.ambient.y = rootFromBits(target0.w >> 15 & 127u, 7) * 0.2;
-        surface.ambient.z = rootFromBits(target0.w >> 22 & 127u, 7) * 0.2;
+        surface.transparency = vec3(rootFromBits(target0.z >> 16 & 255u, 8), rootFromBits(target0.z >> 24, 8), rootFromBits(target0.w & 255u, 8));
+        surface.ambient = vec3(rootFromBits(target0.w >> 8 & 127u, 7) * 0.2, rootFromBits(target0.w >> 15 & 127u, 7) * 0.2, rootFromBits(target0.w >> 22 & 127u, 7) * 0.2);
     } else {
-        surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
         surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
         surface.ior = logarithmFromBits(target0.y >> 10 & 1023u, 10);
-        surface.diffuse.x = rootFromBits(target0.y >> 20 & 255u, 8);
-        surface.diffuse.y = rootFromBits(target0.z & 255u, 8);
-        surface.diffuse.z = rootFromBits(target0.z >> 8 & 255u, 8);
-        surface.specular.x = rootFromBits(target0.z >> 16 & 255u, 8);
-        surface.specular.y = rootFromBits(target0.z >> 24, 8);
-        surface.specular.z = rootFromBits(target0.w & 255u, 8);
-        surface.transparency.x = rootFromBits(target0.w >> 8 & 255u, 8);
-        surface.transparency.y = rootFromBits(target0.w >> 16 & 255u, 8);
-        surface.transparency.z = rootFromBits(target0.w >> 24, 8);
+        surface.specular = vec3(rootFromBits(target0.z >> 16 & 255u, 8), rootFromBits(target0.z >> 24, 8), rootFromBits(target0.w & 255u, 8));
+        surface.transparency = vec3(rootFromBits(target0.w >> 8 & 255u, 8), rootFromBits(target0.w >> 16 & 255u, 8), rootFromBits(target0.w >> 24, 8));
         surface.interpolatedTransparency = unormFromBits(target0.x >> 26 & 1u, 1);
     }
     return surface;
