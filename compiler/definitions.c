@@ -5,8 +5,12 @@
 #include "compiler/describe/describe.h"
 #include "compiler/front/resolve_parameter.h"
 #include "compiler/front/resolve_definition.h"
+#include "grammar/library_table.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define SHIPPED_FOLDER "<matc>/" /* before the names of files that come with matc: include.c */
 
 static const char *doc_of(const Tree *tree)
 {
@@ -96,8 +100,47 @@ char *matc_explain_definition(MatcDocument *d, const char *name)
     text_format(&out, "\nIn %s, line %d\n", source->name, source_position(source, definition->span.start).line);
     if (params && params->value->kind == TREE_object)
         put_parameters(&arena, &out, &d->session, params->value);
-    text_format(&out, "\nUse\n  { ref: %s }\n", name);
+    text_put(&out, "\nUse\n");
+    if (!strncmp(source->name, SHIPPED_FOLDER, sizeof SHIPPED_FOLDER - 1))
+        text_format(&out, "  include: %s\n", source->name + sizeof SHIPPED_FOLDER - 1);
+    text_format(&out, "  { ref: %s }\n", name);
     return text_given(&arena, &out);
+}
+
+/* The page of a definition of the library, with its parameters; NULL: there is none. */
+static char *explain_shipped(const char *name)
+{
+    const LibraryName *shipped = NULL;
+    for (int i = 0; i < library_name_count && !shipped; i++)
+        shipped = strcmp(library_names[i].name, name) ? NULL : &library_names[i];
+    if (!shipped)
+        return NULL;
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    MatcOptions options;
+    matc_options_init(&options);
+    text_format(&text, "include: %s\n", shipped->file);
+    MatcDocument *document = matc_read("<library>", text.at, text.size, &options);
+    char *page = matc_explain_definition(document, name);
+    matc_document_free(document);
+    arena_free(&arena);
+    return page;
+}
+
+/* The page of a definition of the library, then those of the name in the tables. */
+char *matc_explain(const char *name)
+{
+    char *shipped = explain_shipped(name), *known = describe_explain(name);
+    if (!shipped || !known)
+        return shipped ? shipped : known;
+    const size_t size = strlen(shipped) + strlen(known) + sizeof "\n";
+    char *both = malloc(size);
+    if (!both)
+        abort();
+    snprintf(both, size, "%s\n%s", shipped, known);
+    free(shipped);
+    free(known);
+    return both;
 }
 
 /* An argument: what its type takes, within its range, or a param of the definition that it stands in. */

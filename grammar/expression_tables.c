@@ -110,18 +110,6 @@ FormulaSpecial formula_special_named(const char *name, size_t size)
     return SPECIAL_none;
 }
 
-const char *expression_foreign(const char *name)
-{
-    static const char *const rows[][2] = {
-#define FOREIGN(name, here) {#name, here},
-#include "foreign.def"
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        if (!strcmp(rows[i][0], name))
-            return rows[i][1];
-    return NULL;
-}
-
 const char *expression_word(int i)
 {
     if (i < QUANTITY_COUNT)

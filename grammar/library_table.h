@@ -8,4 +8,11 @@ typedef struct {
 } LibraryFile;
 extern const LibraryFile library_table[];
 extern const int library_count;
+
+/* A definition of one of these files. */
+typedef struct {
+    const char *name, *file, *doc; /* "bricks", "bricks.yaml", a sentence */
+} LibraryName;
+extern const LibraryName library_names[];
+extern const int library_name_count;
 #endif

@@ -208,6 +208,25 @@ check "are not written over each other" says "two materials have this name"
 
 check "spirv" status 0 "$matc" --target=spirv $example -o "$work/a.spv"
 check "has its magic number" test "$(od -An -tx4 -N4 "$work/a.spv" | tr -d ' ')" = 07230203
+rm "$work/a.spv"
+check "spirv by the suffix" status 0 "$matc" $example -o "$work/a.spv"
+check "has its magic number, too" test "$(od -An -tx4 -N4 "$work/a.spv" | tr -d ' ')" = 07230203
+check "a vertex program's" status 0 "$matc" $example --emit=vertex -o "$work/a.vert.spv"
+check "is SPIR-V" test "$(od -An -tx4 -N4 "$work/a.vert.spv" | tr -d ' ')" = 07230203
+check "a suffix selects an output" status 0 $fast $example -o "$work/a.json"
+check "which is JSON" grep -q '"target": "glsl330"' "$work/a.json"
+check "also of a vertex program" status 0 $fast $example -o "$work/a.vert"
+check "which is one" grep -q "vertex program" "$work/a.vert"
+check "any other suffix selects none" status 0 $fast $example -o "$work/a.txt"
+check "and holds the fragment program" grep -q "^#version" "$work/a.txt"
+rm -f "$work/b.spv"
+check "a target that the suffix contradicts" status 2 $fast $example --target=glsl450 -o "$work/b.spv"
+check "is an error that names the option" says "-o $work/b.spv would hold GLSL: for SPIR-V give --target=spirv"
+check "and writes nothing" test ! -e "$work/b.spv"
+check "SPIR-V in a .frag" status 2 $fast $example --target=spirv -o "$work/b.frag"
+check "is one, too" says "would hold SPIR-V: for GLSL ask for no SPIR-V, or name a file .spv"
+check "an output that the suffix contradicts" status 2 $fast $example --emit=ir -o "$work/b.json"
+check "is one" says "is the name of --emit=reflect, and would hold --emit=ir"
 
 check "-MD" status 0 $fast -MD examples/image.yaml -o "$work/image.frag"
 check "writes a depfile" grep -q "image.frag: examples/image.yaml" "$work/image.frag.d"
@@ -240,7 +259,7 @@ check "a misspelt one" status 1 $fast -o "$work/none.frag" - <<'END'
 include: brick.yaml
 material: Phong
 END
-check "is guessed" says "cannot read 'brick.yaml': No such file or directory; did you mean 'bricks'?"
+check "is guessed" says "cannot read 'brick.yaml': No such file or directory; did you mean 'bricks.yaml'?"
 check "--list FILE" status 0 "$matc" --list "$work/rust.yaml"
 check "lists what it includes" grep -q "^  rustiness  *Where such rust is" "$work/stdout"
 check "--schema FILE" status 0 "$matc" --schema "$work/rust.yaml"

@@ -50,12 +50,19 @@ holds() {
     fi
 }
 
+forms() {
+    printf '%s\n```\n' '<!-- matc --list=foreign: forms -->'
+    "$matc" --list=foreign | sed -n '/form of a value/,$s/^  //p'
+    echo '```'
+}
 quoted() { echo "$list" | sed -E "s/ \(default\)/@/; s/[a-z0-9]+/$1&$1/g; s/@/$2/"; }
 stale=0
 echo "| targets | $(quoted '`' '') |" | holds README.md '| targets |' '|' || stale=1
 echo "    const char *target;       /* $(quoted '"' ' (default)') */" |
     holds compiler/matc.h '    const char *target;' '    const char *' || stale=1
 { printf '%s\n' '.It Fl \-target Ns = Ns Ar target'; in_man; } | holds docs/matc.1 '.It Fl \-target ' '.It Fl' || stale=1
+
+forms | holds docs/from-other-tools.md '<!-- matc --list=foreign: forms -->' '<!-- end of forms -->' || stale=1
 
 warnings=$("$matc" --explain warnings | sed -n 's/^  \([a-z_]*\)  .*/\1/p')
 [ -n "$warnings" ]

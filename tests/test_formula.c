@@ -267,7 +267,7 @@ static void misspelt_names_are_told(void **state)
 static void foreign_names_are_not_ours(void **state)
 {
     static const char *const names[] = {
-#define FOREIGN(name, here) #name,
+#define FOREIGN_FORMULA(name, here) #name,
 #include "grammar/foreign.def"
     };
     (void)state;

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "grammar/foreign_table.h"
+#include "grammar/key_table.h"
 #include "grammar/layout_tables.h"
 #include "compiler/matc.h"
 #include "grammar/scene_tables.h"
@@ -270,12 +271,21 @@ static bool is_of_scene(const char *name, size_t size, bool kind)
     return false;
 }
 
+static bool is_key(const char *name, size_t size)
+{
+    for (int i = 0; i < DOCUMENT_KEY_COUNT; i++)
+        if (strlen(key_table[i].name) == size && !strncmp(key_table[i].name, name, size))
+            return true;
+    return false;
+}
+
 /* What a message says of another tool's name begins with a name that is ours, but for these words. */
 static void foreign_names_lead_to_ours(void **state)
 {
     static const char *const others[] = {"a formula: '= ",          "nothing: ",
                                          "a key of scenes, ",       "a key of definitions: ",
-                                         "bricks of the library: ", "the fourth number of diffuse"};
+                                         "bricks of the library: ", "the fourth number of diffuse",
+                                         "material: of a material, ", "\"#"};
     (void)state;
     for (int i = 0; i < foreign_count; i++) {
         const ForeignRow *row = &foreign_table[i];
@@ -283,6 +293,8 @@ static void foreign_names_lead_to_ours(void **state)
         bool ours = row->group == FOREIGN_PARAM   ? is_param(row->kind, row->here, size)
                     : row->group == FOREIGN_SCENE ? is_of_scene(row->here, size, true)
                     : row->group == FOREIGN_PLACE ? is_of_scene(row->here, size, false)
+                    : row->group == FOREIGN_TOP   ? is_of_scene(row->here, size, false) || is_key(row->here, size)
+                    : row->group >= FOREIGN_FORMULA ? true /* test_formula.c, test_foreign.c */
                                                   : is_kind(row->here, size, row->group == FOREIGN_MATERIAL);
         for (size_t k = 0; k < sizeof others / sizeof *others; k++)
             ours |= !strncmp(row->here, others[k], strlen(others[k]));
@@ -298,6 +310,10 @@ static void foreign_names_are_not_ours(void **state)
     (void)state;
     for (int i = 0; i < PARAM_COUNT; i++)
         assert_null(foreign_name(FOREIGN_PARAM, param_table[i].kind, param_table[i].name));
+    for (int i = 0; i < color_count; i++)
+        assert_null(foreign_name(FOREIGN_COLOR, KIND_COUNT, color_table[i].name));
+    for (int i = 0; i < DOCUMENT_KEY_COUNT; i++)
+        assert_null(foreign_name(FOREIGN_TOP, KIND_COUNT, key_table[i].name));
     for (int i = 0; i < KIND_COUNT + alias_count + preset_count; i++) {
         const int alias = i - KIND_COUNT, preset = alias - alias_count;
         const Kind kind = alias < 0 ? (Kind)i : preset < 0 ? alias_table[alias].kind : preset_table[preset].kind;

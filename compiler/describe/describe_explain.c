@@ -292,7 +292,7 @@ static void explain_warnings(const Query *q)
             text_format(q->out, "  %-20s  %s\n", diag_table[i].name, diag_table[i].doc);
 }
 
-char *matc_explain(const char *name)
+char *describe_explain(const char *name)
 {
     Arena arena = {0};
     Text out = text_new(&arena);
@@ -312,8 +312,11 @@ char *matc_explain(const char *name)
         explain_encodings(&query);
         explain_diags(&query);
         explain_warnings(&query);
+        describe_params(&out, name, query.compare);
+        describe_words(&out, name, query.compare);
         query.compare = strcasecmp;
     }
+    describe_foreign(&out, name);
     if (out.size)
         return describe_finish(&out);
     arena_free(&arena);

@@ -117,7 +117,8 @@ static const struct {
              {"aliases", list_aliases},     {"waves", list_waves},     {"functions", describe_functions}, {"colors", list_colors},
              {"channels", list_channels},   {"slots", list_slots},     {"targets", list_targets},
              {"passes", list_passes},       {"normals", list_normals}, {"layouts", list_layouts}, {"encodings", list_encodings},
-             {"scenes", list_scenes},       {"choices", list_choices}, {"warnings", list_warnings}};
+             {"scenes", list_scenes},       {"choices", list_choices}, {"warnings", list_warnings},
+             {"library", describe_library_list}, {"foreign", describe_foreign_list}};
 enum { LISTS = sizeof lists / sizeof *lists };
 
 char *matc_list(void)
@@ -125,7 +126,8 @@ char *matc_list(void)
     Arena arena = {0};
     Text out = text_new(&arena);
     for (int i = 0; i < LISTS; i++)
-        lists[i].put(&out);
+        if (lists[i].put != describe_foreign_list) /* all others are names of ours */
+            lists[i].put(&out);
     return describe_finish(&out);
 }
 

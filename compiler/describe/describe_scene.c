@@ -3,7 +3,7 @@
 #include "compiler/base/json_write.h"
 #include <string.h>
 
-static const char *type_name(const SceneParamRow *row)
+const char *describe_scene_type(const SceneParamRow *row)
 {
     static const char *const names[] = {[SCENE_VALUE_material] = "material",
                                         [SCENE_VALUE_file] = "file",
@@ -39,14 +39,14 @@ static void put_params(Text *out, const SceneKindRow *kind)
     int width[4] = {0};
     const SceneParamRow *rows = &scene_param_table[kind->first];
     for (int i = 0; i < kind->count; i++) {
-        const char *cells[4] = {rows[i].param.name, type_name(&rows[i]), default_text(out->arena, &rows[i]),
+        const char *cells[4] = {rows[i].param.name, describe_scene_type(&rows[i]), default_text(out->arena, &rows[i]),
                                 range_text(out->arena, &rows[i])};
         for (int k = 0; k < 4; k++)
             width[k] = wider(width[k], cells[k]);
     }
     text_put(out, "\nParameters: name, type, default, range\n");
     for (int i = 0; i < kind->count; i++)
-        text_format(out, "  %-*s  %-*s  %-*s  %-*s  %s\n", width[0], rows[i].param.name, width[1], type_name(&rows[i]),
+        text_format(out, "  %-*s  %-*s  %-*s  %-*s  %s\n", width[0], rows[i].param.name, width[1], describe_scene_type(&rows[i]),
                     width[2], default_text(out->arena, &rows[i]), width[3], range_text(out->arena, &rows[i]),
                     rows[i].param.doc);
 }

@@ -140,6 +140,16 @@ static bool check_whole(Check *c, const FormulaStep *step, const TermRow *row, c
     return false;
 }
 
+/* How an argument of another width is made to fit. */
+static const char *width_mend(int wanted, int width)
+{
+    if (wanted == 3 && width == 2)
+        return "; `[a, 0]` has three, of an a of two";
+    if (wanted == 2 && width > 2)
+        return "; `a.xy` has two";
+    return wanted == 3 && width == 4 ? "; `a.xyz` has three" : wanted == 1 && width > 1 ? "; `a.x` is one" : "";
+}
+
 /* One argument against its letter. *widest: of those of any width. */
 static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *widest)
 {
@@ -163,7 +173,7 @@ static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *w
     if (letter != 'g' && (width == wanted || (width == 1 && wanted > 1)))
         return true;
     diag_add(c->session, span_of(c, step), DIAG_formula_argument, term_symbol((Term)step->row),
-             letter == 'g' ? "numbers" : width_text(wanted), width_text(width));
+             letter == 'g' ? "numbers" : width_text(wanted), width_text(width), letter == 'g' ? "" : width_mend(wanted, width));
     return false;
 }
 
@@ -218,7 +228,7 @@ static int check_list(Check *c, const FormulaStep *step)
     for (uint32_t i = 0; i < step->count; i++) {
         const int width = argument(c, step, i)->width;
         if (width == WIDTH_condition) {
-            diag_add(c->session, span_of(c, step), DIAG_formula_argument, "a vector", "numbers", width_text(width));
+            diag_add(c->session, span_of(c, step), DIAG_formula_argument, "a vector", "numbers", width_text(width), "");
             return fail(c);
         }
         lanes += width;

@@ -2,11 +2,12 @@
 #include "compiler/base/diag.h"
 #include "compiler/base/text.h"
 #include "compiler/formula/formula_lex.h"
+#include "grammar/foreign_table.h"
 #include <string.h>
 
 const char *formula_foreign(Session *session, const char *name)
 {
-    const char *here = diag_full(session) ? NULL : expression_foreign(name);
+    const char *here = diag_full(session) ? NULL : foreign_name(FOREIGN_FORMULA, KIND_COUNT, name);
     Text text = text_new(session->arena);
     if (here)
         text_format(&text, "; here it is %s", here);

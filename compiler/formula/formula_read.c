@@ -58,10 +58,22 @@ static void read_local(FormulaReader *r)
     }
 }
 
+/* `float d = ...`, as GLSL has it: the type is reported, and passed over. */
+static void pass_type(FormulaReader *r)
+{
+    const Token name = r->token.kind == TOKEN_name ? formula_token(r->s, r->token.end) : r->token;
+    const Token sign = name.kind == TOKEN_name ? formula_token(r->s, name.end) : name;
+    if (r->token.kind != TOKEN_name || name.kind != TOKEN_name || !formula_token_is(&sign, "="))
+        return;
+    r->faults++;
+    diag_add(r->session, formula_token_span(r), DIAG_formula_typed, formula_word(r, name));
+    formula_next(r);
+}
+
 /* { name "=" value ";" } value [ ";" ] */
 static void read_parts(FormulaReader *r)
 {
-    while (is_local(r) && r->faults < FORMULA_MOST_FAULTS) {
+    for (pass_type(r); is_local(r) && r->faults < FORMULA_MOST_FAULTS; pass_type(r)) {
         read_local(r);
         if (formula_is(r, ";"))
             formula_next(r);

@@ -11,4 +11,26 @@
  *     roughness: [0.2, 0.3]   a list */
 bool hint_number_list(Resolver *r, const ParamRow *row, const Tree *tree);
 bool hint_number_color(Resolver *r, const ParamRow *row, const Tree *tree, const Value *constant);
+
+/* A form of a value that other languages have: rgb(255, 0, 0), 0xff8800, 0,5, true. hint_value.c */
+bool hint_value(Resolver *r, const char *what, const Tree *tree, LaneCount lanes);
+/* A colour's name of CSS: brown; a map's of other tools: Noise Texture. */
+bool hint_color_name(Resolver *r, const Tree *tree, const char *text);
+bool hint_map_name(Resolver *r, const Tree *tree);
+
+/* An object without `map:` or `material:` whose other keys tell what it is. hint_object.c
+ *
+ *     { r: 1, g: .5, b: 0 }    a colour: [1, .5, 0]
+ *     { type: Checker }        `map: Checker`
+ *     { image: f.png }         { map: ImageMap, image: ... } */
+bool hint_object(Resolver *r, const Tree *object, bool material);
+/* The same of a whole document: `type: Principled`. */
+bool hint_document(Session *session, const Tree *document);
+/* "; it comes with matc: `include: rust.yaml`": of a name that a file of the library defines, and no file
+ * of the document; NULL: none does. include.c */
+const char *hint_shipped(Session *session, const char *name);
+/* The same of a definition in a kind's place, `map: rust`, also of one that the document has. include.c */
+const char *hint_definition(Resolver *r, const char *name);
+/* A map or a material as an item of a list. */
+bool hint_listed(Session *session, const Tree *list);
 #endif

@@ -1,4 +1,5 @@
 /* Files that documents include: beside the file that asks, in the folders of -I, among those that come with matc; the first that is there. */
+#include "compiler/front/hint.h"
 #include "compiler/front/include.h"
 #include "compiler/front/read.h"
 #include "grammar/library_table.h"
@@ -99,23 +100,64 @@ static bool find(Session *session, const char *from, const char *name, Found *fo
     return there;
 }
 
-/* By names without their endings, which all of them share. */
-static const char *stem_of(Arena *arena, const char *name)
+static const char *shipped_file(const void *user, int i)
 {
-    const char *dot = strrchr(name, '.');
-    return arena_string(arena, name, dot ? (size_t)(dot - name) : strlen(name));
+    (void)user;
+    return library_table[i].name;
 }
 
-static const char *shipped_stem(const void *user, int i)
+static const LibraryName *shipped_name(const char *name)
 {
-    return i < library_count ? stem_of(((const Session *)user)->arena, library_table[i].name) : NULL;
+    for (int i = 0; i < library_name_count; i++)
+        if (!strcmp(library_names[i].name, name))
+            return &library_names[i];
+    return NULL;
+}
+
+const char *hint_shipped(Session *session, const char *name)
+{
+    const LibraryName *shipped = diag_full(session) ? NULL : shipped_name(name);
+    Text text = text_new(session->arena);
+    if (shipped)
+        text_format(&text, "; it comes with matc: `include: %s`", shipped->file);
+    return shipped ? text.at : NULL;
+}
+
+const char *hint_definition(Resolver *r, const char *name)
+{
+    const char *shipped = hint_shipped(r->session, name);
+    bool defined = false;
+    for (size_t i = 0; i < r->def_count; i++)
+        defined |= tree_find(r->defs[i], name) != NULL;
+    if (!defined && !shipped)
+        return NULL;
+    Text text = text_new(r->session->arena);
+    text_format(&text, "; it is a definition, `{ ref: %s }`%s", name, defined ? "" : shipped);
+    return text.at;
+}
+
+/* "bricks" -> "bricks.yaml" */
+static const char *with_ending(Session *session, const char *name)
+{
+    Text text = text_new(session->arena);
+    text_format(&text, "%s%s", name, strrchr(name, '.') ? "" : ".yaml");
+    return text.at;
 }
 
 static void say_missing(Session *session, const Tree *name, const Found *found)
 {
-    const char *near = diag_suggest(session, stem_of(session->arena, name->text), shipped_stem, session, library_count);
+    const char *file = with_ending(session, name->text);
+    const LibraryName *defined = shipped_name(name->text);
+    Text hint = text_new(session->arena);
+    text_put(&hint, "");
+    if (shipped(file))
+        text_format(&hint, "; the file is called '%s'", file);
+    else if (defined)
+        text_format(&hint, "; '%s' is in '%s'", name->text, defined->file);
+    else
+        text_put(&hint, diag_suggest(session, file, shipped_file, NULL, library_count));
     session_depend_on(session, found->path);
-    diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, near);
+    diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, hint.at);
 }
 
 /* Whether some key of a document's outermost level stands in a text. What is none, a password file for instance, is

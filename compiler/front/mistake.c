@@ -1,6 +1,7 @@
 /* What people write who know another format better, and what they are told. */
 #include "compiler/front/mistake.h"
 #include "compiler/base/text.h"
+#include "compiler/front/hint.h"
 #include <math.h>
 #include <string.h>
 
@@ -140,7 +141,7 @@ bool mistake_map(Resolver *r, const Tree *tree)
         diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a map, and no colour; a map is written", "map",
                  map);
     else
-        return false;
+        return hint_map_name(r, tree);
     return true;
 }
 

@@ -22,6 +22,6 @@ bool mistake_formula(Resolver *r, const Tree *tree);
 bool mistake_param(Resolver *r, const Tree *tree);
 /* The key that is written in another case; NULL if there is none. */
 const Member *mistake_case(const Tree *object, const char *key);
-/* "; here it is ImageMap": of a name that other tools have for a map, a material or a parameter of `kind` (foreign_kinds.def). NULL: of none. */
+/* "; here it is ImageMap": of a name that other tools have for a map, a material or a parameter of `kind` (foreign.def). NULL: of none. */
 const char *mistake_foreign(Session *session, ForeignGroup group, Kind kind, const char *name);
 #endif

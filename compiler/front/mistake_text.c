@@ -31,7 +31,10 @@ bool mistake_list(Resolver *r, const Tree *tree)
     if (tree->kind != TREE_scalar || !tree->plain || tree->count > MOST_SHOWN)
         return false;
     const char *list = list_of(r->session, tree->text);
-    if (list)
+    if (list && r->one_number && r->param)
+        diag_add(r->session, tree->span, DIAG_wrong_type, r->param, "one number or a map",
+                 tree_describe(r->session, tree));
+    else if (list)
         diag_add(r->session, tree->span, DIAG_bare_list, list);
     return list != NULL;
 }

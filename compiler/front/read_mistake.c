@@ -178,6 +178,11 @@ bool read_mistake(Session *session, const YamlFault *fault)
 {
     const Source *source = &session->sources[fault->file];
     const Line line = line_at(source, fault->at), context = line_at(source, fault->context);
+    if (!strcmp(fault->problem, "found unknown escape character") ||
+        !strcmp(fault->problem, "did not find expected hexdecimal number")) {
+        diag_add(session, (Span){fault->at, fault->at + 1, fault->file}, DIAG_backslash);
+        return true;
+    }
     const bool lacks = is_open(fault->problem) || !strcmp(fault->problem, "did not find expected node content");
     const bool quoted = fault->context < source->size && strchr("'\"", source->text[fault->context]);
     if (lacks && !quoted && say_hash(session, source, fault, &line))

@@ -37,6 +37,8 @@ static const char *near_kind(Resolver *r, const char *name, bool material)
     const char *near = mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name);
     const NameChoice names = {name_of_group, &material, material ? KIND_COUNT : kind_name_count()};
     if (!near)
+        near = hint_definition(r, name);
+    if (!near)
         near = diag_suggest_or_list(r->session, name, &names, material ? "; there are " : NULL);
     return *near || diag_full(r->session) ? near : "; matc --list has all";
 }
@@ -63,8 +65,9 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
     }
     const DiagKind unknown = material ? DIAG_unknown_material : DIAG_unknown_map;
     const DiagKind swapped = material ? DIAG_map_not_material : DIAG_material_not_map;
-    diag_add(r->session, name->span, other ? swapped : unknown, name->text,
-             other ? "" : near_kind(r, name->text, material));
+    const char *near = other ? mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name->text)
+                             : near_kind(r, name->text, material);
+    diag_add(r->session, name->span, other ? swapped : unknown, name->text, near ? near : "");
     return false;
 }
 
@@ -76,9 +79,12 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
         return false;
     bool fault = false;
     const char *outer = r->param;
+    const bool outer_one = r->one_number;
     r->param = row->name;
+    r->one_number = row->type == PARAM_Map && param_is_number((int)(row - param_table));
     const Node *node = row->type == PARAM_Map ? resolve_map(r, tree, &fault) : resolve_material(r, tree, &fault);
     r->param = outer;
+    r->one_number = outer_one;
     *value = (Value){.kind = node ? VALUE_node : VALUE_none, .node = node};
     if (fault || !node || node->kind != KIND_Constant)
         return !fault;
@@ -169,7 +175,7 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
         const Member *other = mistake_case(tree, key);
         if (other)
             return diag_add(r->session, other->span, DIAG_key_case, other->key, key);
-        if (mistake_keys(r->session, tree))
+        if (mistake_keys(r->session, tree) || hint_object(r, tree, material))
             return NULL;
         const char *hint =
             tree_find(tree, material ? "map" : "material") ? material ? ", not `map:`" : ", not `material:`" : "";
@@ -182,6 +188,7 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     const char *outer = r->param;
     bool fine = true;
     r->param = NULL;
+    r->one_number = false;
     for (int i = 0; i < row->count; i++)
         if (!tree_find(tree, param_table[row->first + i].name))
             params[i] = resolve_default(r, &param_table[row->first + i]);
@@ -230,7 +237,9 @@ static const Member *find_def(Resolver *r, const Tree *name)
         if (!*near)
             near = diag_suggest(r->session, name->text, def_name, &names, (int)r->defs[i]->count);
     }
-    return r->lacks_file ? NULL : diag_add(r->session, name->span, DIAG_unknown_ref, name->text, near);
+    const char *shipped = hint_shipped(r->session, name->text);
+    return r->lacks_file ? NULL
+                         : diag_add(r->session, name->span, DIAG_unknown_ref, name->text, shipped ? shipped : near);
 }
 
 static bool says_material(Resolver *r, const Tree *tree)
@@ -311,7 +320,7 @@ static const Node *resolve_constant(Resolver *r, Tree *tree)
     Value value;
     if (resolve_is_formula(tree))
         return resolve_shorthand(r, tree);
-    if (mistake_map(r, tree) || mistake_param(r, tree) ||
+    if (mistake_map(r, tree) || mistake_param(r, tree) || hint_listed(r->session, tree) ||
         !resolve_number(r, r->param ? r->param : "a map", tree, (LaneCount){1, 4}, &value))
         return NULL;
     return resolve_make_constant(r, (Node){.span = tree->span, .name = own_name(tree)}, value);
@@ -322,6 +331,8 @@ static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool oute
     if (tree->kind == TREE_object && tree_find(tree, "ref"))
         return resolve_ref(r, tree, material);
     if (material && tree->kind == TREE_scalar && mistake_key(r->session, tree->span, tree->text))
+        return NULL;
+    if (material && hint_listed(r->session, tree))
         return NULL;
     if (material && tree->kind != TREE_object)
         return diag_add(r->session, tree->span, DIAG_missing_material_kind, "");

@@ -48,6 +48,7 @@ typedef struct {
     size_t copied;     /* nodes of trees that were made for them */
     const Member *definition; /* the one with parameters that is looked at; NULL: none */
     const char *param;        /* the parameter whose constant is looked at; NULL: none */
+    bool one_number;          /* which reads one number */
     const char *owner; /* of the maps that are resolved: Node.owner */
     int depth, wave_depth; /* of what is being resolved: maps and references within one another, and waves */
 } Resolver;

@@ -1,5 +1,6 @@
 /* Colours of a document: "#rgb" and its like, names, and whether they are linear light or sRGB. `colors:` says it for a file,
  * srgb(...) and linear(...) for one colour. What a file says holds for what is written in that file, wherever it is used. */
+#include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
 #include "runtime/library/srgb.h"
 #include "compiler/base/text.h"
@@ -58,7 +59,7 @@ static bool named_color(Resolver *r, const Tree *tree, const char *text, Value *
         value->type = TYPE_vec3;
         return true;
     }
-    if (mistake_hex(r, tree, text))
+    if (mistake_hex(r, tree, text) || hint_color_name(r, tree, text))
         return false;
     const char *near = diag_suggest(r->session, text, color_name, NULL, color_count);
     diag_add(r->session, tree->span, DIAG_unknown_color, text, near);

@@ -1,9 +1,10 @@
 /* The outermost level of a document: its materials, its definitions, the files it includes. */
 #include "compiler/front/doubt.h"
 #include "compiler/front/include.h"
+#include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/resolve_definition.h"
-#include "grammar/scene_tables.h"
+#include "compiler/front/scene_check.h"
 #include "compiler/base/text.h"
 #include <stdlib.h>
 #include <string.h>
@@ -122,8 +123,9 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
         if (resolve_is_document_key(member->key) || is_scene_key(member->key) || !strcmp(member->key, "materials"))
             continue;
         bool both = !strcmp(member->key, "material") || !strcmp(member->key, "ref");
-        const char *near =
-            diag_suggest(r->session, member->key, top_key, NULL, OWN_KEYS + scene_kind_table[SCENE_Scene].count);
+        const char *near = mistake_foreign(r->session, FOREIGN_TOP, KIND_COUNT, member->key);
+        if (!near)
+            near = diag_suggest(r->session, member->key, top_key, NULL, OWN_KEYS + scene_kind_table[SCENE_Scene].count);
         diag_add(r->session, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
         fine = false;
     }
@@ -161,13 +163,13 @@ static void check_defs(Resolver *r, const Tree *document)
         }
 }
 
-/* A palette: definitions for `include:`, and nothing to compile. Or a scene, whose materials stand where they are used. */
+/* A palette: definitions for `include:`, and nothing to compile. */
 static bool has_definitions_only(const Tree *document)
 {
     for (uint32_t i = 0; i < document->count; i++)
-        if (!resolve_is_document_key(document->members[i].key) && !is_scene_key(document->members[i].key))
+        if (!resolve_is_document_key(document->members[i].key))
             return false;
-    return tree_find(document, "defs") || tree_find(document, "include") || resolve_is_scene(document);
+    return tree_find(document, "defs") || tree_find(document, "include");
 }
 
 static void *say_no_material(Session *session, const Tree *document)
@@ -178,7 +180,7 @@ static void *say_no_material(Session *session, const Tree *document)
         if (other)
             return diag_add(session, other->span, DIAG_key_case, other->key, keys[i]);
     }
-    if (mistake_keys(session, document))
+    if (mistake_keys(session, document) || hint_document(session, document))
         return NULL;
     return diag_add(session, document->span, DIAG_no_material);
 }
@@ -223,9 +225,10 @@ Graph *resolve(Session *session, Tree *document)
     const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
     if (!one)
         one = tree_find(document, "ref");
-    if (!many && !one && !has_definitions_only(document))
+    const bool scene = resolve_is_scene(document);
+    if (!many && !one && !scene && !has_definitions_only(document))
         return say_no_material(session, document);
-    bool fine = check_top(&r, document, many);
+    bool fine = check_top(&r, document, many || scene);
     fine &= read_defs(&r, document, 0);
     if (many && many->value->kind != TREE_object)
         return diag_add(session, many->value->span, DIAG_wrong_type, "materials", "an object",
@@ -241,6 +244,8 @@ Graph *resolve(Session *session, Tree *document)
     else if (one)
         fine &= resolve_one(&r, document, materials);
     check_defs(&r, document);
+    if (scene)
+        scene_check(&r, document);
     if (!many && !one && fine && !session->diags.errors)
         say_nothing_to_compile(session, document);
     resolve_picture_spaces(&r, materials, graph->material_count);

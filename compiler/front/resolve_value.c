@@ -1,5 +1,6 @@
 /* Numbers, lists of them, colours and params, as values of parameters. */
 #include "compiler/base/text.h"
+#include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/reserved.h"
 #include <float.h>
@@ -151,7 +152,7 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
     if (lanes.most >= 3 && tree->kind == TREE_scalar && !tree->plain && strlen(tree->text) >= 6 &&
         mistake_hex(r, tree, tree->text))
         return false;
-    if (mistake_number(r, tree) || mistake_list(r, tree) || mistake_formula(r, tree))
+    if (hint_value(r, what, tree, lanes) || mistake_number(r, tree) || mistake_list(r, tree) || mistake_formula(r, tree))
         return false;
     if (tree->kind == TREE_scalar && tree->plain && tree->count && strchr("+-.0123456789", tree->text[0])) {
         diag_add(r->session, tree->span, DIAG_bad_number, tree->text);

@@ -165,7 +165,7 @@ static bool asks_of_documents(const CommandLine *line)
     const char *word = word_asked(line), *first = word ? word : line->input_count ? line->inputs[0] : "";
     if (line->schema || line->list)
         return main_is_document(first);
-    return line->explain && line->input_count && !main_is_own(line->explain);
+    return line->explain && line->input_count;
 }
 
 static int answer_of_documents(CommandLine *line)

@@ -41,6 +41,8 @@ static int answer(CommandLine *line, const char *path, MatcDocument *document)
         return say(line, path, matc_definitions(document), "it has no definitions");
     char *text = matc_explain_definition(document, line->explain);
     if (!text)
+        text = matc_explain(line->explain);
+    if (!text)
         return main_usage(line, options_fault_explain(&line->words, line->explain));
     return say(line, path, text, "");
 }
@@ -55,7 +57,9 @@ int main_definitions(CommandLine *line, const char *path)
     MatcDocument *document = matc_read(file_document_name(path), text, size, &line->compile);
     free(text);
     int status = FAULT;
-    if (matc_error_count(document))
+    if (matc_error_count(document) && line->explain && main_is_own(line->explain))
+        status = say(line, path, matc_explain(line->explain), "");
+    else if (matc_error_count(document))
         fputs(matc_diagnostics(document, line->diagnostics), stderr);
     else
         status = answer(line, path, document);

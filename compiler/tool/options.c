@@ -129,6 +129,7 @@ static const char *option_name(const void *user, int i)
 static bool read_emit(CommandLine *line, const char *list, const char **fault)
 {
     memset(line->emit, 0, sizeof line->emit);
+    line->emit_named = true;
     for (size_t size; *list; list += size + (list[size] == ',')) {
         size = strcspn(list, ",");
         int i = 0;

@@ -59,6 +59,7 @@ typedef struct {
     const char *target;       /* -MT */
     bool depend;              /* -MD */
     bool emit[EMIT_COUNT];    /* --emit */
+    bool emit_named;          /* by --emit; else it is the default */
     const char *material;     /* --material */
     const char *eval;         /* --eval */
     const char *explain;      /* --explain */
@@ -80,6 +81,9 @@ bool options_read(CommandLine *line, int argc, char **argv, const char **fault);
 void options_free(CommandLine *line);
 /* NULL, or what does not go together. options_check.c */
 const char *options_check(CommandLine *line);
+/* Follows the suffix of -o where no option selects the output or the target; NULL, or how it contradicts one.
+ * options_suffix.c */
+const char *options_suffix(CommandLine *line);
 /* The number of an option; another, where the option is NULL; NaN: it is no number. */
 double options_number(const char *text, double otherwise);
 /* What an --emit wants of a program (MatcOutput, or-ed), what of that is written, and to files of which suffix: of stages SPIR-V instead of GLSL, for a target of SPIR-V. */

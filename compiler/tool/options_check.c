@@ -118,6 +118,8 @@ static const char *check_names(CommandLine *line)
 const char *options_check(CommandLine *line)
 {
     const char *fault = check_names(line);
+    if (!fault)
+        fault = options_suffix(line);
     if (!fault && line->eval)
         fault = options_fault_point(&line->words, line->eval);
     if (!fault && !line->input_count)

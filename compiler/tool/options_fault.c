@@ -48,12 +48,22 @@ static const char *explained_name(const void *user, int i)
     if (i < DOCUMENT_KEY_COUNT)
         return key_table[i].name;
     i -= DOCUMENT_KEY_COUNT;
+    if (i < PARAM_COUNT)
+        return param_table[i].name;
+    i -= PARAM_COUNT;
+    if (i < SCENE_PARAM_COUNT)
+        return scene_param_table[i].param.name;
+    i -= SCENE_PARAM_COUNT;
+    if (i < SCENE_KIND_COUNT)
+        return scene_kind_table[i].name;
+    i -= SCENE_KIND_COUNT;
     return i < LAYOUT_COUNT ? layout_table[i].name : diag_table[i - LAYOUT_COUNT].name;
 }
 
 const char *options_fault_explain(Arena *arena, const char *name)
 {
-    enum { NAMES = KIND_COUNT + WAVE_COUNT + CHOICE_COUNT + SLOT_COUNT + DOCUMENT_KEY_COUNT + LAYOUT_COUNT + DIAG_COUNT };
+    enum { NAMES = KIND_COUNT + WAVE_COUNT + CHOICE_COUNT + SLOT_COUNT + DOCUMENT_KEY_COUNT + PARAM_COUNT +
+           SCENE_PARAM_COUNT + SCENE_KIND_COUNT + LAYOUT_COUNT + DIAG_COUNT };
     Text out = text_new(arena);
     text_format(&out, "--explain: nothing is called '%s'%s", name, suggest(arena, name, explained_name, NULL, NAMES));
     return out.at;

@@ -117,6 +117,36 @@ static int put_chunks(FILE *out, const File *files, int count)
     return fine;
 }
 
+/* "    doc: A wall." or "    doc: \"A wall.\"": the sentence; tests/test_shipped.c compares it with what YAML reads. */
+static void put_doc(FILE *out, const char *line)
+{
+    static const char key[] = "    doc: ";
+    const char *start = line, *end = line;
+    if (!strncmp(line, key, sizeof key - 1)) {
+        start = line + sizeof key - 1;
+        end = start + strcspn(start, "\n");
+        if (*start == '"' && end > start + 1) {
+            start++;
+            end--;
+        }
+    }
+    put_string(out, start, (size_t)(end - start));
+}
+
+/* The keys under `defs:`, which stand two columns in. */
+static void put_names(FILE *out, const File *file)
+{
+    const char *defs = strstr(file->text, "\ndefs:\n");
+    for (const char *line = defs ? defs + 1 : ""; *line; line = line_end(line)) {
+        const size_t size = strcspn(line, ":\n");
+        if (strncmp(line, "  ", 2) != 0 || line[2] == ' ' || line[2] == '#' || line[size] != ':')
+            continue;
+        fprintf(out, "    {\"%.*s\", \"%s.yaml\", ", (int)size - 2, line + 2, file->name);
+        put_doc(out, line_end(line));
+        fputs("},\n", out);
+    }
+}
+
 static void put_library(FILE *out, const File *files, int count)
 {
     fputs("#include \"grammar/library_table.h\"\nconst LibraryFile library_table[] = {\n", out);
@@ -126,6 +156,10 @@ static void put_library(FILE *out, const File *files, int count)
         fputs("},\n", out);
     }
     fputs("};\nconst int library_count = sizeof library_table / sizeof *library_table;\n", out);
+    fputs("const LibraryName library_names[] = {\n", out);
+    for (int i = 0; i < count; i++)
+        put_names(out, &files[i]);
+    fputs("};\nconst int library_name_count = sizeof library_names / sizeof *library_names;\n", out);
 }
 
 static int write_output(FILE *out, const char *symbol, const File *files, int count)

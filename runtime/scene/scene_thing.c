@@ -1,22 +1,11 @@
 /* Tree -> SceneThing, by the rows of scene.def. Every key that no row has is a fault. */
 #include "runtime/scene/scene_thing.h"
-#include "compiler/front/mistake.h"
+#include "compiler/front/scene_check.h"
 #include <string.h>
 
 static const SceneKindRow *row_of(const SceneThing *thing) { return &scene_kind_table[thing->kind]; }
 
 static bool fail(SceneReader *r) { return r->fine = false; }
-
-static const char *param_name(const void *user, int i)
-{
-    return scene_param_table[((const SceneKindRow *)user)->first + i].param.name;
-}
-
-/* The i-th of all kinds, if it is of the sort. */
-static const char *kind_name(const void *user, int i)
-{
-    return scene_kind_table[i].sort == *(const SceneSort *)user ? scene_kind_table[i].name : NULL;
-}
 
 /* A value that only a shader could be told later has no place in a scene. */
 static bool is_number(SceneReader *r, const SceneParamRow *row, const Value *value)
@@ -74,15 +63,7 @@ static void set_defaults(SceneReader *r, SceneThing *thing)
 
 static bool unknown_key(SceneReader *r, const SceneThing *thing, const Member *member)
 {
-    const SceneKindRow *row = row_of(thing);
-    const NameChoice names = {param_name, row, row->count};
-    const char *foreign = mistake_foreign(r->session, FOREIGN_PLACE, KIND_COUNT, member->key);
-    if (thing->kind == SCENE_Scene)
-        diag_add(r->session, member->span, DIAG_unknown_top_key, member->key,
-                 diag_suggest(r->session, member->key, param_name, row, row->count));
-    else
-        diag_add(r->session, member->span, DIAG_unknown_key, row->name, member->key,
-                 foreign ? foreign : diag_suggest_or_list(r->session, member->key, &names, "; it has "));
+    scene_check_unknown(r->session, thing->kind, member);
     return fail(r);
 }
 
@@ -100,70 +81,20 @@ static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const c
         if (place < row->count)
             fine &= read_value(r, member, thing, place);
         else if (strcmp(member->key, scene_sort_table[row->sort].name) != 0 && !(skips && skips(member->key)))
-            fine &= unknown_key(r, thing, member);
+            fine = unknown_key(r, thing, member);
     }
     return fine;
-}
-
-/* As it is to be written: `toneMapping: { toneMapping: Filmic }`. */
-static const char *written_kind(SceneReader *r, const Tree *tree, SceneSort sort)
-{
-    Text written = text_new(r->session->arena);
-    const char *name = scene_sort_table[sort].name;
-    int kind = 0;
-    while (kind < SCENE_KIND_COUNT && scene_kind_table[kind].sort != sort)
-        kind++;
-    const bool named = tree->kind == TREE_scalar && scene_kind_find(sort, tree->text) >= 0;
-    text_format(&written, "`{ %s: %s%s }`", name, named ? tree->text : scene_kind_table[kind].name,
-                tree->kind == TREE_object && tree->count ? ", ..." : "");
-    return written.at;
-}
-
-static bool missing_kind(SceneReader *r, const Tree *tree, SceneSort sort)
-{
-    const char *name = scene_sort_table[sort].name;
-    const Member *other = tree->kind == TREE_object ? mistake_case(tree, name) : NULL;
-    if (other)
-        diag_add(r->session, other->span, DIAG_key_case, other->key, name);
-    else
-        diag_add(r->session, tree->span, DIAG_scene_kind, name, name,
-                 suggest_list(r->session->arena, &(NameChoice){kind_name, &sort, SCENE_KIND_COUNT}),
-                 written_kind(r, tree, sort));
-    return fail(r);
-}
-
-/* -1: told. */
-static int find_kind(SceneReader *r, const Tree *tree, SceneSort sort)
-{
-    const char *name = scene_sort_table[sort].name;
-    const Member *member = tree->kind == TREE_object ? tree_find(tree, name) : NULL;
-    if (!member && tree->kind == TREE_object && scene_kind_only(sort) >= 0)
-        return scene_kind_only(sort);
-    if (!member)
-        return missing_kind(r, tree, sort), -1;
-    if (member->value->kind != TREE_scalar) {
-        diag_add(r->session, member->value->span, DIAG_wrong_type, name, "a name",
-                 tree_describe(r->session, member->value));
-        return fail(r), -1;
-    }
-    const int kind = scene_kind_find(sort, member->value->text);
-    if (kind < 0) {
-        const NameChoice names = {kind_name, &sort, SCENE_KIND_COUNT};
-        const char *foreign = mistake_foreign(r->session, FOREIGN_SCENE, KIND_COUNT, member->value->text);
-        diag_add(r->session, member->value->span, DIAG_unknown_scene_kind, name, member->value->text,
-                 foreign ? foreign : diag_suggest_or_list(r->session, member->value->text, &names, "; there are "));
-        fail(r);
-    }
-    return kind;
 }
 
 bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *thing)
 {
     if (tree->failed)
         return false; /* an alias of what was told already */
-    const int kind = find_kind(r, tree, sort);
+    const int kind = scene_check_kind(r->session, tree, sort);
     thing->kind = (SceneKind)(kind < 0 ? 0 : kind);
     thing->tree = tree;
+    if (kind < 0)
+        fail(r);
     tree->failed = kind < 0 || !read_members(r, tree, NULL, thing);
     return !tree->failed;
 }
