@@ -61,7 +61,7 @@ static void what_is_not_read_is_said(void **state)
     } cases[] = {
         {"[{\"extensions\":{\"KHR_materials_unlit\":{}}}]", "2:29: warning: KHR_materials_unlit is not read"},
         {"[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]",
-         "1:861: error: cannot read the picture 'case.gltf#/images/1': it is neither PNG nor JPEG nor OpenEXR"},
+         "1:861: error: cannot read the picture 'case.gltf#/images/1': it is neither PNG nor JPEG nor OpenEXR nor BMP"},
         {"[{\"normalTexture\":{\"index\":0,\"texCoord\":1}}]",
          "2:53: warning: a second set of texture coordinates, of normals, is not read"},
         {"[{\"normalTexture\":{\"index\":2}}]", "2:40: error: the file's list textures has no item 2"},

@@ -124,7 +124,7 @@ static void broken_binaries_are_said(void **state)
         Binary binary;
         const char *said;
     } cases[] = {
-        {{.json = fine, .binary = "abcd", .binary_size = 4}, CANNOT "it is neither PNG nor JPEG nor OpenEXR"},
+        {{.json = fine, .binary = "abcd", .binary_size = 4}, CANNOT "it is neither PNG nor JPEG nor OpenEXR nor BMP"},
         {{.json = fine, .version = 1}, "no .glb file: it is of version 1; version 2 is read"},
         {{.json = fine, .length = 1u << 31}, "no .glb file: its header says 2147483648 bytes, and it has 2"},
         {{.json = fine, .json_length = 0xFFFFFFF8}, "no .glb file: the chunk at byte 12 is longer than the file"},

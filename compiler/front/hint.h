@@ -3,6 +3,7 @@
 #ifndef MATC_HINT_H
 #define MATC_HINT_H
 #include "compiler/front/resolve.h"
+#include "grammar/library_table.h"
 
 /* A literal colour or list where one number is read. A map of a colour is none of these: it is
  * converted. Constants that are reached through `ref:` count, too. hint_number.c
@@ -27,9 +28,11 @@ bool hint_object(Resolver *r, const Tree *object, bool material);
 /* The same of a whole document: `type: Principled`. */
 bool hint_document(Session *session, const Tree *document);
 /* "; it comes with matc: `include: rust.yaml`": of a name that a file of the library defines, and no file
- * of the document; NULL: none does. include.c */
+ * of the document; NULL: none does. hint_library.c */
 const char *hint_shipped(Session *session, const char *name);
-/* The same of a definition in a kind's place, `map: rust`, also of one that the document has. include.c */
+/* The row of a name; NULL: the library has none. */
+const LibraryName *hint_library_name(const char *name);
+/* The same of a definition in a kind's place, `map: rust`, also of one that the document has. hint_library.c */
 const char *hint_definition(Resolver *r, const char *name);
 /* A map or a material as an item of a list. */
 bool hint_listed(Session *session, const Tree *list);

@@ -1,8 +1,30 @@
-/* Pictures that documents name, files or parts of glTF files: PNG, JPEG or OpenEXR, told by their first bytes. The numbers are the file's: gamma, profiles and all else
+/* Pictures that documents name, files or parts of glTF files: PNG, JPEG, OpenEXR or BMP, told by their first bytes. The numbers are the file's: gamma, profiles and all else
  * that says how they are to be shown is passed over. */
 #include "compiler/front/image_file.h"
 #include <stdlib.h>
 #include <string.h>
+
+/* Formats that are not read, by their first bytes, with a reason that says what to do. A GIF has 256 colours
+ * and may move; its decoder would be one more library in every program that embeds matc. */
+static const char *refusal(const char *at, size_t size)
+{
+    static const struct {
+        const char *begin;
+        size_t size;
+        const char *why;
+    } others[] = {{"GIF8", 4, "it is a GIF: save it as PNG"},
+                  {"RIFF", 4, "it is a WebP: save it as PNG"},
+                  {"II*", 3, "it is a TIFF: save it as PNG, or as OpenEXR"},
+                  {"MM\0", 3, "it is a TIFF: save it as PNG, or as OpenEXR"},
+                  {"#?", 2, "it is a Radiance picture: save it as OpenEXR"},
+                  {"DDS ", 4, "it is a DDS: save it as PNG"},
+                  {"8BPS", 4, "it is a Photoshop file: save it as PNG"},
+                  {"\xABKTX", 4, "it is a KTX: save it as PNG"}};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (size >= others[i].size && !memcmp(at, others[i].begin, others[i].size))
+            return others[i].why;
+    return "it is neither PNG nor JPEG nor OpenEXR nor BMP";
+}
 
 static const char *decode(ImageFile *file)
 {
@@ -10,12 +32,13 @@ static const char *decode(ImageFile *file)
         const char *begin;
         size_t size;
         const char *(*read)(ImageFile *);
-    } formats[] = {{"\x89PNG", 4, image_png}, {"\xFF\xD8", 2, image_jpeg}, {"\x76\x2F\x31\x01", 4, image_exr}};
+    } formats[] = {{"\x89PNG", 4, image_png}, {"\xFF\xD8", 2, image_jpeg}, {"\x76\x2F\x31\x01", 4, image_exr},
+                 {"BM", 2, image_bmp}};
     const size_t size = (size_t)(file->end - file->at);
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (size >= formats[i].size && !memcmp(file->at, formats[i].begin, formats[i].size))
             return formats[i].read(file);
-    return "it is neither PNG nor JPEG nor OpenEXR";
+    return refusal(file->at, size);
 }
 
 /* The bytes of the picture of that path, and the file to free, if it is one; false: `why`. */

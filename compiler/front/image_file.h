@@ -15,6 +15,7 @@ typedef struct {
 const char *image_png(ImageFile *file);
 const char *image_jpeg(ImageFile *file);
 const char *image_exr(ImageFile *file);
+const char *image_bmp(ImageFile *file);
 
 /* Faults that all formats have. */
 extern const char image_file_cut[], image_file_too_large[], image_file_too_many[];

@@ -106,36 +106,6 @@ static const char *shipped_file(const void *user, int i)
     return library_table[i].name;
 }
 
-static const LibraryName *shipped_name(const char *name)
-{
-    for (int i = 0; i < library_name_count; i++)
-        if (!strcmp(library_names[i].name, name))
-            return &library_names[i];
-    return NULL;
-}
-
-const char *hint_shipped(Session *session, const char *name)
-{
-    const LibraryName *shipped = diag_full(session) ? NULL : shipped_name(name);
-    Text text = text_new(session->arena);
-    if (shipped)
-        text_format(&text, "; it comes with matc: `include: %s`", shipped->file);
-    return shipped ? text.at : NULL;
-}
-
-const char *hint_definition(Resolver *r, const char *name)
-{
-    const char *shipped = hint_shipped(r->session, name);
-    bool defined = false;
-    for (size_t i = 0; i < r->def_count; i++)
-        defined |= tree_find(r->defs[i], name) != NULL;
-    if (!defined && !shipped)
-        return NULL;
-    Text text = text_new(r->session->arena);
-    text_format(&text, "; it is a definition, `{ ref: %s }`%s", name, defined ? "" : shipped);
-    return text.at;
-}
-
 /* "bricks" -> "bricks.yaml" */
 static const char *with_ending(Session *session, const char *name)
 {
@@ -147,7 +117,7 @@ static const char *with_ending(Session *session, const char *name)
 static void say_missing(Session *session, const Tree *name, const Found *found)
 {
     const char *file = with_ending(session, name->text);
-    const LibraryName *defined = shipped_name(name->text);
+    const LibraryName *defined = hint_library_name(name->text);
     Text hint = text_new(session->arena);
     text_put(&hint, "");
     if (shipped(file))

@@ -41,7 +41,7 @@ bool mistake_list(Resolver *r, const Tree *tree)
 
 static bool ends_as_picture(const Tree *tree)
 {
-    static const char *const endings[] = {".png", ".jpg", ".jpeg", ".exr", ".PNG", ".JPG", ".JPEG", ".EXR"};
+    static const char *const endings[] = {".png", ".jpg", ".jpeg", ".exr", ".bmp", ".gif", ".tga", ".tif", ".webp", ".hdr", ".PNG", ".JPG", ".JPEG", ".EXR", ".BMP", ".GIF"};
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
         const size_t size = strlen(endings[i]);
         if (tree->count > size && !strcmp(tree->text + tree->count - size, endings[i]))
