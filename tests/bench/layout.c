@@ -112,5 +112,6 @@ int bench_layout(int argc, char **argv)
     }
     if (timed)
         canvas_close(&canvas);
-    return bench_layout_frame(timed);
+    const int fault = bench_layout_frame(timed);
+    return bench_layout_set(timed) | fault;
 }

@@ -41,6 +41,8 @@ typedef struct GlContext GlContext;
 bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read);
 /* Its second table: whole passes. */
 int bench_layout_frame(bool timed);
+/* Its third: light passes of sets of materials. */
+int bench_layout_set(bool timed);
 /* Run time against error: --quick --gl=KIND --csv FILE --plot BASENAME --page FILE. */
 int bench_error(int argc, char **argv);
 /* Many materials in one process: --untimed --count N --matc PROGRAM --speed --scene. */
