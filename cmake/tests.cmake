@@ -49,7 +49,7 @@ file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
 # Frames and memory are others under sanitizers; means of many numbers, and pictures beside others' renderers, the same. The minutes
 # of the rows after the first go to the driver's compiling; what they call of matc and of the renderer, others call under sanitizers.
 set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures test_reference_bounces
-  test_value test_shared test_function test_filtered_mean test_layout_claims
+  test_value test_shared test_function test_filtered_mean test_layout_claims test_derivatives test_principled_layouts test_frame_derivatives
   test_frame_bisection test_frame_bisection_lights test_frame_bisection_moves test_frame_cast test_frame_cycles
   test_frame_displaced test_frame_glass test_frame_coplanar test_frame_history test_frame_hybrid test_frame_indirect_truth test_frame_lights test_frame_many
   test_frame_meshes test_frame_moved test_frame_moving test_frame_radiance test_frame_shade test_frame_silhouette test_frame_soft test_frame_views
@@ -244,7 +244,7 @@ if(NOT SANITIZED)
 endif()
 
 # A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
-set(LONG test_value=140 test_frame_moved=130 install_make=101 test_frame_displacement=82 add=81 test_valid=80 pictures=80 batch=78 install=66 test_host=60 figures=57
+set(LONG test_value=140 test_derivatives=60 test_principled_layouts=25 test_frame_moved=130 install_make=101 test_frame_displacement=82 add=81 test_valid=80 pictures=80 batch=78 install=66 test_host=60 figures=57
   subproject=55 test_kill_failure=54 test_mended=50 test_frame_cast=50 test_frame_cast_lists=50 command_line=46 test_statistics_cells=43
   test_frame_geometry=43 test_frame_calls=41 test_frame_radiance=40 test_shared=38 test_sky_gloss=36 test_frame_glass=35 test_scene_pictures=34
   schema=33 test_valid_spirv=33 test_frame_exact=31 test_frame=30 test_frame_meshes=29 test_layout_claims=29 test_frame_soft=28 test_kill=26
