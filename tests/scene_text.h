@@ -33,6 +33,17 @@ static inline Scene *read_fine(const char *text, MatcDocument **document)
     return scene;
 }
 
+/* A scene that has to be one, of so many triangles that there is a warning, and no other. */
+static inline Scene *read_heavy(const char *text, MatcDocument **document)
+{
+    Scene *scene = read_text(text, document);
+    assert_non_null(scene);
+    const char *said = strstr(matc_diagnostics(*document, MATC_TEXT), "warning: ");
+    assert_int_equal(matc_error_count(*document), 0);
+    assert_true(said && strstr(said, "[-Wscene_heavy]") && !strstr(said + 1, "warning: "));
+    return scene;
+}
+
 /* That a text is no scene, and what is said first; NULL: whatever it is. */
 static inline void assert_fault(const char *text, const char *said)
 {

@@ -307,7 +307,7 @@ static double seconds_to_read(const char *motion, int count)
                  "objects: [{ object: Scatter, count: %d, objects: [{ object: Sphere, material: red }] }]\n",
              motion, count);
     const double start = session_now();
-    Scene *scene = read_fine(text, &document);
+    Scene *scene = count > 1 ? read_heavy(text, &document) : read_fine(text, &document);
     const double seconds = session_now() - start;
     forget(scene, document);
     return seconds;

@@ -210,7 +210,7 @@ static void triangles(void **state)
         if (more)
             assert_fault(text, "131:3: error: more than 67108864 triangles in meshes that differ");
         else
-            scene_free(read_fine(text, &document)), matc_document_free(document);
+            scene_free(read_heavy(text, &document)), matc_document_free(document);
     }
 }
 

@@ -42,6 +42,7 @@ typedef struct {
         [SCENE_NUMBERS]; /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail; Parallelogram: u, v */
     int mesh;            /* of a Mesh: in Scene.meshes */
     int material;        /* in Scene.materials */
+    bool adapts;         /* its detail is not given, and goes by the picture where a scene is large: scene_detail.h */
     SceneMatrix world_from_local;
 } SceneObject;
 
@@ -212,6 +213,8 @@ SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name
 SceneDisplaced scene_displace_by(Scene *scene, Word method);
 /* The word, if it is the name of such a method; else NULL. */
 const char *scene_displace_name(Word word);
+/* Detail that goes by the picture (scene_detail.h) goes by one of another size. scene_displace.c */
+SceneDisplaced scene_displace_resized(Scene *scene, int width, int height);
 /* Whoever draws the scene cannot displace patches, or something wants their triangles: they become meshes that are divided alike, and so do those of later changes.
  * False: see scene_displace_fault. */
 bool scene_displace_patches(const Scene *scene);

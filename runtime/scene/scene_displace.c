@@ -1,43 +1,12 @@
 /* Which meshes displaced objects have: one for all that are displaced alike. What changes afterwards, a param or where an object is, gives those that it changes
  * another mesh, and takes away what no object has any more. */
 #include "compiler/base/hash_index.h"
-#include "runtime/scene/scene_displacement.h"
+#include "runtime/scene/scene_displacer.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_part.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* What of an object is displaced. */
-typedef struct {
-    SceneKind kind; /* SCENE_Plane: nothing is */
-    int mesh;       /* of a Mesh */
-} Base;
-
-/* A param of a material that has another value than its document says. */
-typedef struct {
-    int material;
-    char *name;
-    double lanes[4];
-    int count;
-} Param;
-
-struct SceneDisplacer {
-    MatcOptions options;
-    Word method;      /* WORD_Displacing_mesh, ... */
-    bool processor;   /* whoever draws cannot displace */
-    SceneSeen seen;   /* where meshes go by that */
-    MatcMoves *moves; /* by material */
-    Base *bases;      /* by object */
-    Key *keys;        /* by mesh of the scene: what it was made of */
-    int *users;       /* by mesh: so many objects have it */
-    int first;        /* meshes that were displaced: from there on */
-    int vacant;       /* none before it is free for another */
-    Param *params;
-    int param_count;
-    int fault; /* the material of which `why` is */
-    const char *why;
-};
 
 /* One way through all objects: what each shall have, before any has it. */
 typedef struct {
@@ -49,27 +18,18 @@ typedef struct {
     int mesh_count;
 } Maker;
 
-static Key param_key(const SceneDisplacer *by, int material)
-{
-    Key key = {(uint64_t)material, 0};
-    for (int i = 0; i < by->param_count; i++)
-        if (by->params[i].material == material) {
-            const Key parts[] = {key, key_of_bytes(by->params[i].name, strlen(by->params[i].name)),
-                                 key_of_bytes(by->params[i].lanes, sizeof by->params[i].lanes)};
-            key = key_of_bytes(parts, sizeof parts);
-        }
-    return key;
-}
-
 /* What the shape depends on: the object's own, the material, and of the matrix what it measures, to a millionth, which turns and places leave as it is;
  * or all of it. */
-static Key key_of(const Scene *scene, const SceneObject *object, const Base *base)
+static Key key_of(const Scene *scene, const SceneObject *object, const SceneBase *base)
 {
     const SceneDisplacer *by = scene->displacer;
     const double *m = object->world_from_local.m, parts_of_one = 1e6;
     double measure[12] = {0}, size = 0;
     SceneObject before = *object;
     before.kind = base->kind, before.mesh = base->mesh;
+    const SceneFineness fine = scene_fine_of(scene, &before);
+    if (fine.steps)
+        before.numbers[scene_detail_number(before.kind)] = fine.steps;
     for (int i = 0; i < 3; i++)
         size += scene_vector_dot(&m[4 * i], &m[4 * i]);
     if (by->moves[object->material] == MATC_MOVES_world)
@@ -78,11 +38,13 @@ static Key key_of(const Scene *scene, const SceneObject *object, const Base *bas
     else
         for (int i = 0; i < 9; i++)
             measure[i] = rint(parts_of_one * scene_vector_dot(&m[i / 3 * 4], &m[i % 3 * 4]) / size) + 0.;
-    measure[9] += by->moves[object->material] == MATC_MOVES_world ? 0 : rint(parts_of_one * log(size));
+    if (by->moves[object->material] == MATC_MOVES_local)
+        measure[9] += fine.share > 0 ? fine.number : rint(parts_of_one * log(size));
     const Key parts[] = {scene_solid_key(&before),
-                         param_key(by, object->material),
+                         scene_displacer_param_key(by, object->material),
                          key_of_bytes(measure, sizeof measure),
-                         {(uint64_t)by->method, (uint64_t)scene->displaced_triangles}};
+                         key_of_bytes(&fine.share, sizeof fine.share),
+                         {(uint64_t)by->method, (uint64_t)fine.triangles}};
     return key_of_bytes(parts, sizeof parts);
 }
 
@@ -95,47 +57,38 @@ static int known_mesh(const Maker *k, Key key)
     return -1;
 }
 
-static bool fail(SceneDisplacer *by, int material, const char *why)
+static SceneMatrix resized(const SceneMatrix *matrix, double by)
 {
-    by->fault = material;
-    by->why = why;
-    return false;
+    SceneMatrix made = *matrix;
+    for (int i = 0; i < 12; i++)
+        made.m[i] *= by;
+    return made;
 }
 
-/* The values of a material's params become its document's defaults, and back. */
-void scene_displace_params(const Scene *scene, int material)
-{
-    for (int i = 0; i < scene->displacer->param_count; i++) {
-        Param *param = &scene->displacer->params[i];
-        double before[4];
-        if (param->material != material)
-            continue;
-        matc_set_default(scene->materials[material].document, param->name, param->lanes, param->count, before);
-        memcpy(param->lanes, before, (size_t)param->count * sizeof *before);
-    }
-}
-
-static bool make_mesh(Maker *k, const SceneObject *object, const Base *base, SceneMesh *made)
+static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base, SceneMesh *made)
 {
     const Scene *scene = k->scene;
     const SceneMaterial *of = &scene->materials[object->material];
+    SceneObject before = *object;
+    before.kind = base->kind, before.mesh = base->mesh;
+    const SceneFineness fineness = scene_fine_of(scene, &before);
     const SceneDisplacing how = {.document = of->document,
                                  .material = of->index,
                                  .options = &k->by->options,
-                                 .world_from_local = object->world_from_local,
+                                 .world_from_local = resized(&object->world_from_local, fineness.scale),
                                  .origin = scene->origin,
                                  .method = k->by->method,
                                  .level = scene->displaced_level,
                                  .dividing = scene->dividing,
-                                 .triangles = scene->displaced_triangles,
+                                 .triangles = fineness.triangles,
                                  .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL, /* by bisection alone */
                                  .pixels = scene->displaced_pixels,
                                  .processor = k->by->processor};
-    SceneObject before = *object;
     Shape solid = {0};
-    before.kind = base->kind;
+    if (fineness.steps)
+        before.numbers[scene_detail_number(before.kind)] = fineness.steps;
     if (base->kind != SCENE_Mesh && !scene_solid(&before, &solid))
-        return fail(k->by, object->material, "takes more memory than there is");
+        return scene_displacer_fail(k->by, object->material, "takes more memory than there is");
     scene_displace_params(scene, object->material);
     const bool fine =
         scene_displaced_mesh(&how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
@@ -146,10 +99,12 @@ static bool make_mesh(Maker *k, const SceneObject *object, const Base *base, Sce
     k->triangles += fine ? scene_displaced_triangles(made) : 0;
     if (k->triangles > SCENE_TRIANGLES) {
         scene_mesh_free(made);
-        return fail(k->by, object->material,
-                    "makes too many triangles: `displacement: { triangles: 10000 }` makes fewer of each mesh");
+        return scene_displacer_fail(
+            k->by, object->material,
+            "makes too many triangles: `displacement: { triangles: 10000 }` makes fewer of each mesh");
     }
-    return fine || fail(k->by, object->material, "takes too many operations, or more memory than there is");
+    return fine ||
+           scene_displacer_fail(k->by, object->material, "takes too many operations, or more memory than there is");
 }
 
 /* A place for one more: each object that is displaced may have two, one until the other is there. */
@@ -222,7 +177,8 @@ static SceneDisplaced displace_objects(Scene *scene, int material, int first, in
                .by = by,
                .next = malloc(((size_t)scene->object_count + 1) * sizeof *k.next),
                .mesh_count = scene->mesh_count};
-    bool fine = k.next != NULL || fail(by, scene->objects[first].material, "takes more memory than there is"),
+    bool fine = k.next != NULL ||
+                scene_displacer_fail(by, scene->objects[first].material, "takes more memory than there is"),
          changed = false;
     for (int i = by->first; fine && i < scene->mesh_count; i++)
         if (by->users[i]) {
@@ -253,7 +209,7 @@ static int find_bases(Scene *scene, const MatcOptions *options)
     for (int i = 0; i < scene->object_count; i++) {
         const SceneObject *object = &scene->objects[i];
         const bool moves = by->moves[object->material] != MATC_MOVES_none;
-        by->bases[i] = moves ? (Base){object->kind, object->mesh} : (Base){SCENE_Plane, 0};
+        by->bases[i] = moves ? (SceneBase){object->kind, object->mesh} : (SceneBase){SCENE_Plane, 0};
         count += by->bases[i].kind != SCENE_Plane;
     }
     return count;
@@ -269,8 +225,9 @@ bool scene_displace(SceneReader *r, const MatcOptions *options)
     if (scene->displaced_pixels > 0)
         scene_seen_find(scene, &by->seen);
     by->moves = ARENA_ARRAY(arena, MatcMoves, scene->material_count + 1);
-    by->bases = ARENA_ARRAY(arena, Base, scene->object_count + 1);
+    by->bases = ARENA_ARRAY(arena, SceneBase, scene->object_count + 1);
     scene->displaced = find_bases(scene, options);
+    scene_fine_choose(scene, arena);
     if (!scene->displaced)
         return true;
     const size_t room = (size_t)scene->mesh_count + 2 * (size_t)scene->displaced + 1;
@@ -287,15 +244,14 @@ bool scene_displace(SceneReader *r, const MatcOptions *options)
     return false;
 }
 
-SceneSeen *scene_displace_seen(Scene *scene) { return scene->displacer ? &scene->displacer->seen : NULL; }
-
-void scene_displace_free(Scene *scene)
+void scene_displace_shift(Scene *scene, const double by[3])
 {
-    for (int i = 0; scene->displacer && i < scene->displacer->param_count; i++)
-        free(scene->displacer->params[i].name);
-    if (scene->displacer)
-        free(scene->displacer->params);
+    SceneDisplacer *displacer = scene->displacer;
+    for (int i = 0; displacer && i < 3 * displacer->detail.eye_count; i++)
+        displacer->detail.eyes[i / 3].center[i % 3] -= by[i % 3];
 }
+
+SceneSeen *scene_displace_seen(Scene *scene) { return scene->displacer ? &scene->displacer->seen : NULL; }
 
 const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material)
 {
@@ -344,55 +300,28 @@ SceneDisplaced scene_displace_moved(Scene *scene, int first, int count)
     return scene->displaced ? displace_objects(scene, -1, first, count) : SCENE_DISPLACED_none;
 }
 
-/* What moves the material's points reads the param. */
-static bool reads_param(const Scene *scene, int material, const char *name, int count)
-{
-    const SceneMaterial *of = &scene->materials[material];
-    MatcOptions options = scene->displacer->options;
-    bool reads = false;
-    options.pass = "depth";
-    options.moved = false;
-    MatcProgram *program = matc_compile(of->document, of->index, MATC_KEY, &options);
-    for (int i = 0; matc_ok(program) && i < matc_uniform_count(program); i++)
-        reads |= !strcmp(matc_uniform(program, i)->param, name) && matc_uniform(program, i)->lanes == count;
-    matc_program_free(program);
-    return reads;
-}
-
-/* NULL: memory ran out. */
-static Param *find_param(Scene *scene, int material, const char *name, int count)
-{
-    SceneDisplacer *by = scene->displacer;
-    for (int i = 0; i < by->param_count; i++)
-        if (by->params[i].material == material && !strcmp(by->params[i].name, name))
-            return &by->params[i];
-    Param *params = realloc(by->params, ((size_t)by->param_count + 1) * sizeof *params);
-    char *copy = strdup(name);
-    by->params = params ? params : by->params;
-    if (!params || !copy) {
-        free(copy);
-        return NULL;
-    }
-    Param *param = &params[by->param_count++];
-    *param = (Param){material, copy, {0}, count};
-    const SceneMaterial *of = &scene->materials[material];
-    matc_set_default(of->document, name, param->lanes, count, param->lanes); /* gives what it is, and gets that back */
-    return param;
-}
-
 SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name, const double *lanes, int count)
 {
     SceneDisplacer *by = scene->displacer;
     double before[4];
-    if (!scene->displaced || by->moves[material] == MATC_MOVES_none || !reads_param(scene, material, name, count))
+    if (!scene->displaced || by->moves[material] == MATC_MOVES_none ||
+        !scene_displacer_reads(scene, material, name, count))
         return SCENE_DISPLACED_none;
-    Param *param = find_param(scene, material, name, count);
+    SceneDisplacedParam *param = scene_displacer_param(scene, material, name, count);
     if (!param)
-        return fail(by, material, "takes more memory than there is"), SCENE_DISPLACED_failed;
+        return scene_displacer_fail(by, material, "takes more memory than there is"), SCENE_DISPLACED_failed;
     memcpy(before, param->lanes, sizeof before);
     memcpy(param->lanes, lanes, (size_t)count * sizeof *lanes);
     const SceneDisplaced made = displace_objects(scene, material, 0, scene->object_count);
     if (made == SCENE_DISPLACED_failed)
         memcpy(param->lanes, before, sizeof before);
     return made;
+}
+
+SceneDisplaced scene_displace_resized(Scene *scene, int width, int height)
+{
+    if (!scene->displacer->bounds)
+        return SCENE_DISPLACED_none;
+    scene_fine_look(scene, width, height);
+    return scene->displaced ? displace_objects(scene, -1, 0, scene->object_count) : SCENE_DISPLACED_none;
 }

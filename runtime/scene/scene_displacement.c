@@ -208,12 +208,12 @@ static void set_reach(const SceneMatrix *inverse, double bound, double reach[3])
                                 inverse->m[8 + i] * inverse->m[8 + i]);
 }
 
-static double bound_of(const SceneDisplacing *how)
+double scene_displaced_bound(const MatcDocument *document, int material, const MatcOptions *given)
 {
-    MatcOptions options = *how->options;
+    MatcOptions options = *given;
     options.pass = "depth";
     options.moved = false;
-    MatcProgram *program = matc_compile(how->document, how->material, MATC_KEY, &options);
+    MatcProgram *program = matc_compile(document, material, MATC_KEY, &options);
     const double bound = matc_ok(program) ? matc_displacement_bound(program) : INFINITY;
     matc_program_free(program);
     return bound;
@@ -262,7 +262,7 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
                        : by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
                                     : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
     const int most = how->level && how->level < SCENE_PATCH_PARTS ? how->level : SCENE_PATCH_PARTS;
-    const double bound = bound_of(how);
+    const double bound = scene_displaced_bound(how->document, how->material, how->options);
     SceneMatrix inverse;
     *made = (Shape){0};
     *patches = NULL;

@@ -22,6 +22,8 @@ typedef struct {
 
 /* A vertex as matc_move takes it, of an object in the world, by its matrix and the inverse of that, and the origin of the matrix' coordinates. */
 MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse, const double origin[3]);
+/* How far a material moves points of the world at most; infinite: that is not known. */
+double scene_displaced_bound(const MatcDocument *document, int material, const MatcOptions *options);
 /* Moved triangles; or, by a method of the driver's, patches: where the height has a bound, since nobody knew else where points are. False: memory ran out, or a value takes too
  * many operations; *made is empty. */
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
@@ -33,4 +35,6 @@ bool scene_displaced_traced(Word method);
 int64_t scene_displaced_triangles(const SceneMesh *mesh);
 /* By what a scene's displaced meshes were divided; NULL: it was not read. scene_displace.c */
 SceneSeen *scene_displace_seen(Scene *scene);
+/* Cameras that detail goes by (scene_detail.h) stand in coordinates whose origin has moved. scene_displace.c */
+void scene_displace_shift(Scene *scene, const double by[3]);
 #endif

@@ -146,6 +146,8 @@ static bool push_object(SceneReader *r, const SceneThing *thing, SceneObject obj
     if (!scene_triangles_add(r, thing, &object))
         return false;
     size_t count = (size_t)scene->object_count;
+    r->origin_count = count; /* of objects that were no part of the scene, others are gone */
+    ARENA_PUSH(r->session->arena, r->origins, r->origin_count, r->origin_room, thing->tree->span);
     ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
     scene->object_count = (int)count;
     return true;
@@ -175,7 +177,10 @@ static bool add_parts(SceneReader *r, const SceneThing *thing, SceneObject objec
 
 static bool add_object(SceneReader *r, const SceneThing *thing, const Around *around)
 {
-    SceneObject object = {.kind = thing->kind, .world_from_local = around->world_from_group};
+    const bool round = thing->kind == SCENE_Sphere || thing->kind == SCENE_Cylinder || thing->kind == SCENE_Cone;
+    SceneObject object = {.kind = thing->kind,
+                          .adapts = round && !tree_find(thing->tree, "detail"),
+                          .world_from_local = around->world_from_group};
     read_numbers(thing, &object);
     object.material = around->material;
     if (!check_matrix(r, thing, &object) || !check_parallelogram(r, thing, &object))

@@ -113,6 +113,7 @@ static void shift(Scene *scene, const double by[3])
     SceneSeen *seen = scene_displace_seen(scene);
     for (int i = 0; seen && i < seen->count; i++)
         shift_camera(by, &seen->cameras[i]);
+    scene_displace_shift(scene, by);
     for (int i = 0; i < POINT; i++)
         scene->origin[i] += by[i];
 }

@@ -32,6 +32,9 @@ void scene_indirect_read(SceneReader *r, Tree *tree);
 /* Counts the triangles of an object whose mesh no object before it has. False: they are too many, which is told. scene_triangles.c */
 bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObject *object);
 
+/* Warns of a scene that has more than SCENE_HEAVY_TRIANGLES, at the object that has most of them. After all are displaced. */
+void scene_triangles_warn(SceneReader *r);
+
 /* Its place in scene->materials, or -1: it is told what is wrong. scene_material.c */
 int scene_material_read(SceneReader *r, Tree *tree);
 /* The same of a file's material, by its number. */

@@ -222,9 +222,10 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size, const 
     r.fine = r.fine && !document->session.diags.errors && scene_stand(&r, options);
     if (r.fine)
         scene_origin_find(r.scene);
-    if (r.fine && scene_displace(&r, options))
+    if (r.fine && scene_displace(&r, options)) {
+        scene_triangles_warn(&r);
         *made = r.scene;
-    else
+    } else
         scene_free(r.scene);
     return document;
 }

@@ -32,6 +32,8 @@ typedef struct {
     size_t object_room, root_room, light_room, used_room, mesh_room, document_room;
     SceneMeshFiles mesh_files[2]; /* read as a whole; read in parts */
     Names document_paths;         /* of scene->documents */
+    Span *origins;                /* by object of the scene: where it is written */
+    size_t origin_count, origin_room;
     int *planes; /* those of the objects that are one */
     size_t plane_count, plane_room;
     const Tree *definitions; /* the document's `defs:`; NULL: there are none */

@@ -1,5 +1,8 @@
-/* How many triangles the meshes of a scene have: equal solids, and objects of one file, are one mesh. */
+/* How many triangles the meshes of a scene have: equal solids, and objects of one file, are one mesh; and how many are drawn. */
+#include "runtime/scene/scene_displacement.h"
+#include "runtime/scene/scene_fine.h"
 #include "runtime/scene/scene_part.h"
+#include <stdlib.h>
 
 static int triangles_of(const Scene *scene, const SceneObject *object)
 {
@@ -31,4 +34,56 @@ bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObj
         return true;
     diag_add(r->session, thing->tree->span, DIAG_too_many_triangles, SCENE_TRIANGLES);
     return r->fine = false;
+}
+
+/* Objects that are written at one place: copies, and instances of a definition. */
+typedef struct {
+    Span span;
+    SceneKind kind; /* of one of them */
+    int copies;
+    int64_t triangles;
+} Origin;
+
+static int64_t drawn_of(const Scene *scene, const SceneObject *object)
+{
+    return object->kind == SCENE_Mesh ? scene_displaced_triangles(&scene->meshes[object->mesh])
+                                      : scene_solid_triangles(object);
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const Span *x = &((const Origin *)a)->span, *y = &((const Origin *)b)->span;
+    return x->file != y->file ? (x->file > y->file) - (x->file < y->file)
+                              : (x->start > y->start) - (x->start < y->start);
+}
+
+/* Joins those of one place; the one with most. */
+static Origin most_of(Origin *origins, int count)
+{
+    Origin most = {.triangles = -1}, here = {.triangles = -1};
+    qsort(origins, (size_t)count, sizeof *origins, by_place);
+    for (int i = 0; i < count; i++) {
+        const bool same = i && !by_place(&origins[i], &here);
+        here =
+            same ? (Origin){here.span, here.kind, here.copies + 1, here.triangles + origins[i].triangles} : origins[i];
+        if (here.triangles > most.triangles)
+            most = here;
+    }
+    return most;
+}
+
+void scene_triangles_warn(SceneReader *r)
+{
+    const Scene *scene = r->scene;
+    Origin *origins = ARENA_ARRAY(r->session->arena, Origin, scene->object_count + 1);
+    int64_t triangles = 0;
+    for (int i = 0; i < scene->object_count; i++) {
+        origins[i] = (Origin){r->origins[i], scene->objects[i].kind, 1, drawn_of(scene, &scene->objects[i])};
+        triangles += origins[i].triangles;
+    }
+    if (triangles <= SCENE_HEAVY_TRIANGLES)
+        return;
+    const Origin most = most_of(origins, scene->object_count);
+    diag_add(r->session, most.span, DIAG_scene_heavy, (long long)triangles, (long long)most.triangles,
+             scene_kind_table[most.kind].name, most.copies);
 }

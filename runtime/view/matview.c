@@ -33,6 +33,12 @@ static int usage(const char *what)
     return USAGE;
 }
 
+static int height_for(const Scene *scene, int width)
+{
+    const long height = ((long)scene->height * width + scene->width / 2) / scene->width;
+    return height > 0 ? (int)height : 1;
+}
+
 /* *scene is NULL for materials alone. */
 static MatcDocument *read_document(const Command *command, const char *path, Scene **scene)
 {
@@ -46,6 +52,8 @@ static MatcDocument *read_document(const Command *command, const char *path, Sce
     MatcDocument *document = scene_read(file_document_name(path), text, size, &command->compile, scene);
     if (*scene && command->shadows != WORD_COUNT)
         scene_lights_shadow(*scene, command->shadows);
+    if (*scene && command->size)
+        scene_displace_resized(*scene, command->size, height_for(*scene, command->size));
     free(text);
     return document;
 }
@@ -184,10 +192,9 @@ static int choose_and_draw(Run *run, MatcDocument *document, const char *input)
 static ScenePictureOptions scene_options(Run *run, const Scene *scene)
 {
     const int size = run->command->size, width = size ? size : scene->width;
-    const long height = ((long)scene->height * width + scene->width / 2) / scene->width;
     ScenePictureOptions options = command_pictures(run->command, 1);
     options.render.width = width;
-    options.render.height = height > 0 ? (int)height : 1;
+    options.render.height = height_for(scene, width);
     show_progress(run, &options);
     return options;
 }

@@ -1,0 +1,50 @@
+/* What displaces the objects of a scene, between its files. */
+#ifndef MATC_SCENE_DISPLACER_H
+#define MATC_SCENE_DISPLACER_H
+#include "runtime/scene/scene_displacement.h"
+#include "runtime/scene/scene_fine.h"
+
+/* What of an object is displaced. */
+typedef struct {
+    SceneKind kind; /* SCENE_Plane: nothing is */
+    int mesh;       /* of a Mesh */
+} SceneBase;
+
+/* A param of a material that has another value than its document says. */
+typedef struct {
+    int material;
+    char *name;
+    double lanes[4];
+    int count;
+} SceneDisplacedParam;
+
+struct SceneDisplacer {
+    MatcOptions options;
+    Word method;        /* WORD_Displacing_mesh, ... */
+    bool processor;     /* whoever draws cannot displace */
+    SceneSeen seen;     /* where meshes go by that */
+    MatcMoves *moves;   /* by material */
+    SceneDetail detail; /* where that goes by the picture */
+    SceneBall *balls;   /* of the meshes of files */
+    double *
+        bounds; /* by material: how far it moves points, infinite where detail does not go by the picture; NULL: it does nowhere */
+    SceneBase *bases; /* by object */
+    Key *keys;        /* by mesh of the scene: what it was made of */
+    int *users;       /* by mesh: so many objects have it */
+    int first;        /* meshes that were displaced: from there on */
+    int vacant;       /* none before it is free for another */
+    SceneDisplacedParam *params;
+    int param_count;
+    int fault; /* the material of which `why` is */
+    const char *why;
+};
+
+/* The values that params of a material have. scene_displace_param.c */
+Key scene_displacer_param_key(const SceneDisplacer *by, int material);
+/* What moves the material's points reads the param. */
+bool scene_displacer_reads(const Scene *scene, int material, const char *name, int count);
+/* Finds or adds it, with the value that it has; NULL: memory ran out. */
+SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const char *name, int count);
+/* Remembers why nothing can be made of a material; false. */
+bool scene_displacer_fail(SceneDisplacer *by, int material, const char *why);
+#endif
