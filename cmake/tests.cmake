@@ -43,7 +43,7 @@ target_link_options(failing_malloc PRIVATE -fno-sanitize=all)
 set(QUICK golden abi embed_example functions layers locale exports test_affine test_bounded test_convert test_defaults test_exact
   test_exact_material test_filtered_pass test_ir_check test_journal_damage test_journal_forgery test_journal_undoing test_json
   test_json_write test_key test_ktx test_layout_cases test_layout_file test_merge test_names test_narrow test_oracle test_oracle_material
-  test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_group test_rules_range test_sheet test_tables test_thesis)
+  test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_group test_rules_range test_scene_defaults test_sheet test_tables test_thesis)
 
 file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
 # Frames and memory are others under sanitizers; means of many numbers, and pictures beside others' renderers, the same. The minutes
