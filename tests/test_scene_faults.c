@@ -84,7 +84,7 @@ static void faults(void **state)
         {RED "lights: [{ light: Point, shadows: \"true\" }]\n",
          "2:35: error: shadows wants none, map, silhouette, hybrid or exact, not 'true'"},
         {RED "lights: [{ light: Ambient, shadows: true }]\n",
-         "2:28: error: Ambient has no parameter 'shadows'; it has color, intensity"},
+         "2:28: error: Ambient has no parameter 'shadows'; it has color, intensity, name"},
         {RED "shadowMaps: { size: 8 }\nlights: []\n", "2:21: error: size is 8; it must be from 16 to 8192"},
         {RED "tools: { gridCells: 0 }\nlights: []\n", "2:21: error: gridCells is 0; it must be from 1 to 1000"},
         {RED "tools: { grids: true }\n", "2:10: error: Tools has no parameter 'grids'; did you mean 'grid'?"},

@@ -19,7 +19,7 @@ static void faults(void **state)
         {RED "objects: [{ object: Instance, of: fir }]\ndefs: { fir: { object: Box } }\n",
          "3:14: error: Box wants 'material'"},
         {RED "objects: [{ object: Instance, of: fir, size: 2 }]\ndefs: { fir: { object: Box, material: red } }\n",
-         "2:40: error: Instance has no parameter 'size'; it has of, transform, material"},
+         "2:40: error: Instance has no parameter 'size'; it has of, transform, material, name"},
         /* a definition is read where something instances it, and where nothing does */
         {RED "objects: [{ object: Instance, of: fir }]\ndefs: { fir: { object: Box, sice: 2, material: red } }\n",
          "3:29: error: Box has no parameter 'sice'; did you mean 'size'?"},

@@ -263,7 +263,7 @@ static bool add_objects(Maker *m)
     for (int i = 0; i < scene->mesh_count; i++)
         m->file_keys[i] = scene->meshes[i].patches ? (Key){(uint64_t)i, 0} : shape_key(&scene->meshes[i].shape);
     for (int i = 0; i < scene->object_count; i++)
-        if (!(scene->objects[i].kind == SCENE_Plane ? add_plane(m, i) : add_surface(m, i)))
+        if (!scene->objects[i].hidden && !(scene->objects[i].kind == SCENE_Plane ? add_plane(m, i) : add_surface(m, i)))
             return false;
     return true;
 }

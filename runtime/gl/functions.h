@@ -13,6 +13,7 @@
     F(BINDTEXTURE, BindTexture)                                                                                        \
     F(BINDVERTEXARRAY, BindVertexArray)                                                                                \
     F(BLENDFUNC, BlendFunc)                                                                                            \
+    F(BLITFRAMEBUFFER, BlitFramebuffer)                                                                                \
     F(BUFFERDATA, BufferData)                                                                                          \
     F(BUFFERSUBDATA, BufferSubData)                                                                                    \
     F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                                                  \

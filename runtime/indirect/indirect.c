@@ -9,7 +9,7 @@
 static bool has_objects(const Scene *scene)
 {
     int i = 0;
-    while (i < scene->object_count && scene->objects[i].kind == SCENE_Plane)
+    while (i < scene->object_count && (scene->objects[i].hidden || scene->objects[i].kind == SCENE_Plane))
         i++;
     return i < scene->object_count;
 }

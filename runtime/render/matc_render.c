@@ -1,9 +1,9 @@
-/* The library's surface: what scene.h and render.h offer, for a host that sees neither. */
+/* The library's surface: what render.h offers, for a host that does not see it. matc_scene.c has scenes. */
 #include "runtime/render/matc_render.h"
 #include "compiler/base/memory.h"
-#include "compiler/document.h"
 #include "runtime/frame/frame.h"
 #include "runtime/gl/message.h"
+#include "runtime/render/host.h"
 #include "runtime/render/render.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_origin.h"
@@ -13,52 +13,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct MatcScene {
-    Scene *scene;
-};
-
 struct MatcRender {
     GlContext *gl;
     Render *render;
-    Scene *scene; /* the caller's */
+    Scene *scene;           /* the caller's */
+    GLuint framebuffer;     /* reads the picture's texture; 0: not made yet */
 };
 
-/* -- scenes */
-
-MatcScene *matc_scene_read(const char *name, const char *text, size_t size, const MatcOptions *options,
-                           MatcDocument **document)
-{
-    MatcOptions defaults;
-    MatcScene *made = calloc(1, sizeof *made);
-    if (!made)
-        memory_exhausted();
-    matc_options_init(&defaults);
-    defaults.pixels = true;
-    *document = scene_read(name, text, size, options ? options : &defaults, &made->scene);
-    if (made->scene)
-        return made;
-    if (!matc_error_count(*document))
-        diag_add(&(*document)->session, NO_SPAN, DIAG_no_scene);
-    free(made);
-    return NULL;
-}
-
-void matc_scene_free(MatcScene *scene)
-{
-    if (scene)
-        scene_free(scene->scene);
-    free(scene);
-}
-
-int matc_scene_object_count(const MatcScene *scene) { return scene->scene->object_count; }
-int matc_scene_light_count(const MatcScene *scene) { return scene->scene->light_count; }
-int matc_scene_material_count(const MatcScene *scene) { return scene->scene->material_count; }
-
-void matc_scene_matrix(const MatcScene *scene, int object, double matrix[16])
-{
-    memcpy(matrix, scene->scene->objects[object].world_from_local.m, sizeof(SceneMatrix));
-    scene_origin_from(scene->scene, scene->scene->objects[object].world_from_local.m + 12, matrix + 12);
-}
+#define DEGREE 0.017453292519943295 /* radians */
+enum { MOST_PLACE = 1 << 20 };       /* of a rectangle in a framebuffer */
 
 /* -- renderers */
 
@@ -99,6 +62,8 @@ void matc_render_close(MatcRender *r)
     if (!r)
         return;
     render_close(r->render);
+    if (r->framebuffer)
+        r->gl->DeleteFramebuffers(1, &r->framebuffer);
     gl_close(r->gl);
     free(r);
 }
@@ -141,6 +106,8 @@ bool matc_render_move(MatcRender *r, int object, const double matrix[16])
     const SceneMatrix before = *at;
     memcpy(at->m, matrix, sizeof *at);
     scene_origin_to(r->scene, matrix + 12, at->m + 12);
+    if (r->scene->objects[object].hidden && !r->scene->displaced)
+        return true;
     const SceneDisplaced meshes = scene_displace_moved(r->scene, object, 1);
     if (meshes == SCENE_DISPLACED_failed) {
         *at = before;
@@ -182,6 +149,50 @@ bool matc_render_light(MatcRender *r, int light, const double position[3], const
     memcpy(r->scene->lights[light].light, rgb, 3 * sizeof *rgb);
     return render_changed(r->render, RENDER_LIGHTS);
 }
+
+bool matc_renderer_set_perspective(MatcRender *r, double angle, double near)
+{
+    if (!has(r, 0, 1, "camera"))
+        return false;
+    if (!(angle > 0 && angle < 180) || !(near > 0 && near < INFINITY))
+        return gl_fail(r->gl, "a perspective wants an angle between 0 and 180 degrees, and near above 0");
+    r->scene->camera.kind = SCENE_Perspective;
+    r->scene->camera.half = tan(angle * DEGREE / 2);
+    r->scene->camera.near = near;
+    return render_changed(r->render, RENDER_CAMERA);
+}
+
+bool matc_renderer_set_orthographic(MatcRender *r, double size, double depth)
+{
+    if (!has(r, 0, 1, "camera"))
+        return false;
+    if (!(size > 0 && size < INFINITY) || !(depth > 0 && depth < INFINITY))
+        return gl_fail(r->gl, "an orthographic projection wants a size and a depth above 0");
+    r->scene->camera.kind = SCENE_Orthographic;
+    r->scene->camera.half = size / 2;
+    r->scene->camera.depth = depth;
+    return render_changed(r->render, RENDER_CAMERA);
+}
+
+bool matc_renderer_set_time(MatcRender *r, double seconds)
+{
+    if (!has(r, 0, 1, "time"))
+        return false;
+    if (!isfinite(seconds))
+        return gl_fail(r->gl, "the time is no number");
+    r->scene->time = seconds;
+    return render_changed(r->render, RENDER_TIME);
+}
+
+bool matc_renderer_set_size(MatcRender *r, int width, int height)
+{
+    enum { MOST_SIDE = 16384 }; /* of an image in scene.def */
+    if (width < 0 || height < 0 || width > MOST_SIDE || height > MOST_SIDE)
+        return gl_fail(r->gl, "a picture has 1 to %d pixels each way, not %d x %d", MOST_SIDE, width, height);
+    return render_resize(r->render, width, height);
+}
+
+bool matc_renderer_update(MatcRender *r) { return has(r, 0, 1, "scene") && render_changed_meshes(r->render); }
 
 static bool find_method(const char *name, Word *made)
 {
@@ -232,4 +243,36 @@ bool matc_render_frame(MatcRender *r) { return render_frame(r->render); }
 int matc_render_width(const MatcRender *r) { return render_width(r->render); }
 int matc_render_height(const MatcRender *r) { return render_height(r->render); }
 unsigned matc_render_texture(const MatcRender *r) { return frame_texture(r->render, FRAME_TARGET_shown, 0); }
+
+static bool is_rectangle(const int rectangle[4])
+{
+    return rectangle[2] > 0 && rectangle[3] > 0 && rectangle[0] > -MOST_PLACE && rectangle[0] < MOST_PLACE &&
+           rectangle[1] > -MOST_PLACE && rectangle[1] < MOST_PLACE && rectangle[2] < MOST_PLACE &&
+           rectangle[3] < MOST_PLACE;
+}
+
+bool matc_renderer_draw(MatcRender *r, unsigned framebuffer, const int rectangle[4])
+{
+    GlContext *gl = r->gl;
+    if (!is_rectangle(rectangle))
+        return gl_fail(gl, "the rectangle to draw to is empty, or has no place in a framebuffer");
+    const unsigned picture = r->scene ? matc_render_texture(r) : 0;
+    if (r->scene && !picture)
+        return gl_fail(gl, "the view is not the picture, which alone is drawn to a framebuffer");
+    if (!render_frame(r->render))
+        return false;
+    if (!r->framebuffer)
+        gl->GenFramebuffers(1, &r->framebuffer);
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, r->framebuffer);
+    gl->FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, matc_render_texture(r), 0);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    gl->BlitFramebuffer(0, 0, render_width(r->render), render_height(r->render), rectangle[0], rectangle[1],
+                        rectangle[0] + rectangle[2], rectangle[1] + rectangle[3], GL_COLOR_BUFFER_BIT,
+                        rectangle[2] == render_width(r->render) && rectangle[3] == render_height(r->render)
+                            ? GL_NEAREST
+                            : GL_LINEAR);
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    return gl_check(gl, "drawing to a framebuffer");
+}
+
 bool matc_render_read(MatcRender *r, float *rgba) { return render_read(r->render, rgba); }

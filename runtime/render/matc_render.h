@@ -37,8 +37,42 @@ MATC_API void matc_scene_free(MatcScene *scene);
 MATC_API int matc_scene_object_count(const MatcScene *scene);
 MATC_API int matc_scene_light_count(const MatcScene *scene);
 MATC_API int matc_scene_material_count(const MatcScene *scene);
-/* From an object's space to the world, by columns: matrix[4 * column + row]. */
+/* From an object's space to the world, by columns: matrix[4 * column + row]. The identity where there is no such object. */
 MATC_API void matc_scene_matrix(const MatcScene *scene, int object, double matrix[16]);
+/* Why the last call that returned false or -1 did. */
+MATC_API const char *matc_scene_error(const MatcScene *scene);
+
+/* -- Names: the `name:` of objects and lights, names under `materials:` ------------------------- */
+
+/* The name of an object behind those of its groups, "lamps/bulb"; NULL: it has none. */
+MATC_API const char *matc_scene_object_name(const MatcScene *scene, int object);
+/* The first object behind `after` (-1: of all) that has a name, or lies in a group of that name, "lamps"; -1: none.
+ *
+ *     for (int i = -1; (i = matc_scene_find_object(scene, "lamps", i)) >= 0;)
+ *         matc_scene_set_visible(scene, i, false); */
+MATC_API int matc_scene_find_object(const MatcScene *scene, const char *name, int after);
+MATC_API int matc_scene_find_light(const MatcScene *scene, const char *name);
+/* A material of the document; one that no object has yet becomes a material of the scene. -1: there is none. */
+MATC_API int matc_scene_find_material(MatcScene *scene, const char *name);
+
+/* -- Editing: matc_renderer_update() draws what was changed, and indices stay as they are ------- */
+
+/* Triangles in memory, which are copied. Whether normals and coordinates are given or not, tangents are derived from them. */
+typedef struct {
+    size_t size;              /* in bytes, of the struct that the caller was compiled with */
+    const float *positions;   /* three a vertex, each below 1e18 */
+    const float *normals;     /* three a vertex; NULL: those of the faces, smoothed */
+    const float *texcoords;   /* two a vertex; NULL: longitude and latitude */
+    const unsigned *indices;  /* three a triangle, counterclockwise from its front; NULL: each three vertices are one */
+    int vertex_count, index_count;
+} MatcMesh;
+/* The index of the mesh, for any number of objects; -1: see matc_scene_error(). A scene with displaced objects takes none. */
+MATC_API int matc_scene_add_mesh(MatcScene *scene, const MatcMesh *mesh);
+/* The index of the object, which may be that of a removed one; -1. Its material does not displace. */
+MATC_API int matc_scene_add_object(MatcScene *scene, int mesh, int material, const double world_from_local[16]);
+MATC_API bool matc_scene_remove_object(MatcScene *scene, int object);
+/* An object that is not visible casts no shadows either, and nothing of it is drawn. */
+MATC_API bool matc_scene_set_visible(MatcScene *scene, int object, bool visible);
 
 typedef void (*MatcRenderProc)(void);
 typedef struct {
@@ -73,6 +107,22 @@ MATC_API bool matc_render_shadows(MatcRender *render, int light, const char *met
 /* A param of a document's material, of 1 to 4 lanes. */
 MATC_API bool matc_render_param(MatcRender *render, int material, const char *name, const float *lanes, int count);
 
+/* The angle of view over the picture's shorter side in degrees, from 0 to 180; what is nearer than `near` is not drawn. */
+MATC_API bool matc_renderer_set_perspective(MatcRender *render, double angle, double near);
+/* The length that the picture's shorter side shows, and how far is seen, both in world units. */
+MATC_API bool matc_renderer_set_orthographic(MatcRender *render, double size, double depth);
+/* The time of materials in seconds. Meshes that are displaced keep their shape. */
+MATC_API bool matc_renderer_set_time(MatcRender *render, double seconds);
+/* The picture's size in pixels, up to 16,384 each way; 0: the scene's. Targets are made anew. False: the size stays. */
+MATC_API bool matc_renderer_set_size(MatcRender *render, int width, int height);
+/* Takes what matc_scene_add_object(), _remove_object() and _set_visible() changed in the scene that is drawn. Programs,
+ * pictures and meshes stay; params keep their values. */
+MATC_API bool matc_renderer_update(MatcRender *render);
+
+/* Draws a frame, and copies the picture to a framebuffer of the caller's: x, y, width and height of a rectangle in pixels,
+ * from the lower left. Where it has another size than the picture, it is scaled with linear filtering. 0 is the default
+ * framebuffer. Only color is written: the bytes of sRGB, so GL_FRAMEBUFFER_SRGB is to be off. */
+MATC_API bool matc_renderer_draw(MatcRender *render, unsigned framebuffer, const int rectangle[4]);
 MATC_API bool matc_render_frame(MatcRender *render);
 MATC_API int matc_render_width(const MatcRender *render);
 MATC_API int matc_render_height(const MatcRender *render);

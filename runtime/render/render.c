@@ -13,6 +13,7 @@
 #include "runtime/shadow/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -327,6 +328,22 @@ bool render_again(Render *render, const Scene *scene)
         return false;
     render_param_again(render);
     return true;
+}
+
+bool render_resize(Render *render, int width, int height)
+{
+    char why[sizeof render->gl->error];
+    const int before[2] = {render->options.width, render->options.height};
+    const Scene *scene = render->scene;
+    render->options.width = width;
+    render->options.height = height;
+    if (!scene || render_again(render, scene))
+        return true;
+    snprintf(why, sizeof why, "%s", render->gl->error);
+    render->options.width = before[0];
+    render->options.height = before[1];
+    render_again(render, scene);
+    return gl_fail(render->gl, "%s", why);
 }
 
 bool render_changed_meshes(Render *render) { return has_scene(render) && render_again(render, render->scene); }

@@ -30,6 +30,8 @@ bool render_changed_objects(Render *render, int first, int count);
 bool render_changed_meshes(Render *render);
 /* The same, of the scene that was drawn, where making it anew has failed and it is as before again. */
 bool render_again(Render *render, const Scene *scene);
+/* Draws pictures of so many pixels from now on; 0: as the scene says. False: the targets cannot be made, and all is as it was. */
+bool render_resize(Render *render, int width, int height);
 /* Sets a param of a material, by its place in scene->materials. False: none of its programs has a param of that name and so many lanes, 1 to 4. */
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count);
 /* Draws. A frame makes no GL call but those that bind, clear, draw and dispatch, where nothing was changed since the one before. */
@@ -57,7 +59,7 @@ bool render_read_map(Render *render, int map, float *depths);
 
 /* The view is a slot that the scene's layout does not store: it is read as 0. */
 bool render_lacks_view(const Render *render);
-/* Warnings of the scene's programs, with their places. From malloc. */
+/* Warnings of the scene's programs, with their places; and that no object is in view. From malloc. */
 char *render_diagnostics(const Render *render);
 
 /* What a pass took, drawn once more: by the driver's clock where it has one (clock.h), else until it was finished; 0: it does not run. */

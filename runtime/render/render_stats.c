@@ -274,6 +274,9 @@ char *render_diagnostics(const Render *render)
         if (!strstr(out.at, said))
             text_put(&out, said);
     }
+    if (render->scene && render->cache.place_count && !render->cache.seen && !render->cache.plane_count)
+        diag_complain(&out, MATC_TEXT, SEVERITY_warning, NULL,
+                      "no object is in view: all lie beside the picture, behind the camera, or nearer than its `near`");
     return finish(&out);
 }
 

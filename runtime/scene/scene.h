@@ -43,6 +43,9 @@ typedef struct {
     int mesh;            /* of a Mesh: in Scene.meshes */
     int material;        /* in Scene.materials */
     bool adapts;         /* its detail is not given, and goes by the picture where a scene is large: scene_detail.h */
+    const char *name;    /* with those of its groups, "lamps/bulb"; NULL: it has none */
+    bool removed;        /* by a host: hidden for good, and its place is free for another */
+    bool hidden;         /* it is neither drawn nor casts shadows; the renderer is to be told by render_changed_meshes() */
     SceneMatrix world_from_local;
 } SceneObject;
 
@@ -55,6 +58,7 @@ typedef struct {
     double inner_cosine, outer_cosine; /* of a Spot: inner >= outer */
     double edges[2][3];                /* of an Area: u, v */
     bool both_sides;                   /* of an Area */
+    const char *name;                  /* NULL: it has none */
     Word shadows;                      /* how objects cast shadows in its light: WORD_Shadows_none, ... */
 } SceneLight;
 

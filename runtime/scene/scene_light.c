@@ -8,18 +8,18 @@
 
 /* Params of each kind; -1: it has none. */
 typedef struct {
-    int position, direction, color, intensity, shadows;
+    int position, direction, color, intensity, shadows, name;
 } LightRow;
 
 static const LightRow rows[SCENE_KIND_COUNT] = {
-    [SCENE_Point] = {S_Point_position, -1, S_Point_color, S_Point_intensity, S_Point_shadows},
-    [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity, S_Spot_shadows},
+    [SCENE_Point] = {S_Point_position, -1, S_Point_color, S_Point_intensity, S_Point_shadows, S_Point_name},
+    [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity, S_Spot_shadows, S_Spot_name},
     [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color, S_Directional_intensity,
-                           S_Directional_shadows},
-    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, S_Area_shadows},
-    [SCENE_Sky] = {-1, -1, S_Sky_color, S_Sky_intensity, -1},
-    [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity, -1},
-    [SCENE_Hemisphere] = {-1, -1, S_Hemisphere_color, S_Hemisphere_intensity, -1},
+                           S_Directional_shadows, S_Directional_name},
+    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, S_Area_shadows, S_Area_name},
+    [SCENE_Sky] = {-1, -1, S_Sky_color, S_Sky_intensity, -1, -1},
+    [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity, -1, S_Ambient_name},
+    [SCENE_Hemisphere] = {-1, -1, S_Hemisphere_color, S_Hemisphere_intensity, -1, S_Hemisphere_name},
 };
 
 static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light)
@@ -94,6 +94,7 @@ static void read_light(SceneReader *r, const SceneThing *thing)
         read_sky(r, thing, light.light);
         return;
     }
+    light.name = scene_thing_name(r, scene_thing_given(thing, row->name));
     if (row->position >= 0)
         scene_thing_vector(thing, row->position, light.position);
     if (row->direction >= 0) {

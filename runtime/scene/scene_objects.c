@@ -9,33 +9,36 @@
 /* What a group gives to what is in it. */
 typedef struct {
     SceneMatrix world_from_group;
-    int material; /* -1: none */
-    int depth;    /* groups and instances around it */
+    int material;     /* -1: none */
+    int depth;        /* groups and instances around it */
+    const char *name; /* of these, joined by '/'; NULL: none has one */
 } Around;
 
 /* Where the rows of a kind have what every object has, and its own numbers. */
 typedef struct {
-    int transform, material;
+    int transform, material, name;
     int numbers[3], lanes; /* params, of so many lanes each; -1: no more */
 } ObjectRow;
 
 static const ObjectRow rows[SCENE_KIND_COUNT] = {
-    [SCENE_Group] = {S_Group_transform, S_Group_material, {-1}, 0},
-    [SCENE_Scatter] = {S_Scatter_transform, S_Scatter_material, {-1}, 0},
-    [SCENE_Instance] = {S_Instance_transform, S_Instance_material, {-1}, 0},
-    [SCENE_Sphere] = {S_Sphere_transform, S_Sphere_material, {S_Sphere_radius, S_Sphere_detail, -1}, 1},
-    [SCENE_Box] = {S_Box_transform, S_Box_material, {S_Box_size, -1}, 3},
+    [SCENE_Group] = {S_Group_transform, S_Group_material, S_Group_name, {-1}, 0},
+    [SCENE_Scatter] = {S_Scatter_transform, S_Scatter_material, S_Scatter_name, {-1}, 0},
+    [SCENE_Instance] = {S_Instance_transform, S_Instance_material, S_Instance_name, {-1}, 0},
+    [SCENE_Sphere] = {S_Sphere_transform, S_Sphere_material, S_Sphere_name, {S_Sphere_radius, S_Sphere_detail, -1}, 1},
+    [SCENE_Box] = {S_Box_transform, S_Box_material, S_Box_name, {S_Box_size, -1}, 3},
     [SCENE_Cylinder] = {S_Cylinder_transform,
                         S_Cylinder_material,
+                        S_Cylinder_name,
                         {S_Cylinder_radius, S_Cylinder_height, S_Cylinder_detail},
                         1},
-    [SCENE_Cone] = {S_Cone_transform, S_Cone_material, {S_Cone_radius, S_Cone_height, S_Cone_detail}, 1},
+    [SCENE_Cone] = {S_Cone_transform, S_Cone_material, S_Cone_name, {S_Cone_radius, S_Cone_height, S_Cone_detail}, 1},
     [SCENE_Parallelogram] = {S_Parallelogram_transform,
                              S_Parallelogram_material,
+                             S_Parallelogram_name,
                              {S_Parallelogram_u, S_Parallelogram_v, -1},
                              3},
-    [SCENE_Plane] = {S_Plane_transform, S_Plane_material, {-1}, 0},
-    [SCENE_Mesh] = {S_Mesh_transform, S_Mesh_material, {-1}, 0},
+    [SCENE_Plane] = {S_Plane_transform, S_Plane_material, S_Plane_name, {-1}, 0},
+    [SCENE_Mesh] = {S_Mesh_transform, S_Mesh_material, S_Mesh_name, {-1}, 0},
 };
 
 static bool fault(SceneReader *r, Span span, DiagKind kind, const char *what)
@@ -105,6 +108,18 @@ static bool fault_missing(SceneReader *r, const SceneThing *thing, const char *k
 {
     diag_add(r->session, thing->tree->span, DIAG_missing_key, scene_kind_table[thing->kind].name, key);
     return r->fine = false;
+}
+
+/* The names of the groups around it and its own, joined by '/': lamps/bulb. NULL: there are none. */
+static const char *name_of(SceneReader *r, const SceneThing *thing, const char *around)
+{
+    const Tree *given = scene_thing_given(thing, rows[thing->kind].name);
+    const char *own = scene_thing_name(r, given);
+    if (!own || !around)
+        return own ? own : around;
+    Text joined = text_new(r->session->arena);
+    text_format(&joined, "%s/%s", around, own);
+    return joined.at;
 }
 
 static bool find_mesh(SceneReader *r, const SceneThing *thing, int *mesh)
@@ -179,6 +194,7 @@ static bool add_object(SceneReader *r, const SceneThing *thing, const Around *ar
 {
     const bool round = thing->kind == SCENE_Sphere || thing->kind == SCENE_Cylinder || thing->kind == SCENE_Cone;
     SceneObject object = {.kind = thing->kind,
+                          .name = around->name,
                           .adapts = round && !tree_find(thing->tree, "detail"),
                           .world_from_local = around->world_from_group};
     read_numbers(thing, &object);
@@ -219,7 +235,8 @@ static void read_object(SceneReader *r, Tree *tree, const Around *around)
     const SceneMatrix own = transform ? scene_matrix_of(transform) : scene_matrix_identity();
     const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
                          .material = material_of(r, &thing, around->material),
-                         .depth = around->depth + 1};
+                         .depth = around->depth + 1,
+                         .name = name_of(r, &thing, around->name)};
     if (around->depth == 0 && !r->aside)
         add_root(r, &thing, &here.world_from_group);
     if (here.depth > LIMIT_DEPTH) {
@@ -345,7 +362,8 @@ static void add_copies(SceneReader *r, const SceneThing *thing, const Around *ar
         const SceneMatrix own = scene_scatter_matrix(scatter, &state);
         const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
                              .material = around->material,
-                             .depth = around->depth};
+                             .depth = around->depth,
+                             .name = around->name};
         read_list(r, list, &here);
         stood.end = r->scene->object_count;
         if (scatter->surface)

@@ -147,6 +147,15 @@ const Transform *scene_thing_transform(const SceneThing *thing, int param)
     return value->kind == VALUE_transform ? value->transform : NULL;
 }
 
+const char *scene_thing_name(SceneReader *r, const Tree *given)
+{
+    if (!given || (given->kind == TREE_scalar && *given->text))
+        return given ? given->text : NULL;
+    diag_add(r->session, given->span, DIAG_wrong_type, "name", "a text", tree_describe(r->session, given));
+    fail(r);
+    return NULL;
+}
+
 Tree *scene_thing_given(const SceneThing *thing, int param) { return thing->given[place_of(thing, param)]; }
 
 Span scene_thing_span(const SceneThing *thing, int param)

@@ -76,6 +76,8 @@ void scene_thing_vector(const SceneThing *thing, int param, double vector[3]);
 /* NULL: not given. */
 const Transform *scene_thing_transform(const SceneThing *thing, int param);
 Tree *scene_thing_given(const SceneThing *thing, int param);
+/* A text that names something; NULL where it is not given, or is no text, which is reported. */
+const char *scene_thing_name(SceneReader *r, const Tree *given);
 /* Where a fault of a parameter is: at its value, or at the thing. */
 Span scene_thing_span(const SceneThing *thing, int param);
 #endif

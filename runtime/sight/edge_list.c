@@ -227,6 +227,8 @@ static void add_objects(EdgeLister *l)
 {
     for (int i = 0; i < l->scene->object_count && l->fine; i++) {
         const SceneObject *object = &l->scene->objects[i];
+        if (object->hidden)
+            continue;
         const bool plane = object->kind == SCENE_Plane;
         const EdgeMesh *mesh = plane ? NULL : mesh_of(l, object);
         l->fine = plane || mesh;
