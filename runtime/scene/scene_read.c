@@ -170,6 +170,34 @@ static void check_rays(SceneReader *r, const SceneThing *document)
     r->fine = false;
 }
 
+/* Whether a material emits light at one of some points. */
+static bool emits(const SceneMaterial *material)
+{
+    static const char *const points[] = {"u=0.5 v=0.5", "u=0.13 v=0.71 x=1 y=2 z=3", "u=0.87 v=0.29 x=-2 y=0.3 z=-1"};
+    MatcOptions options;
+    bool any = false;
+    matc_options_init(&options);
+    options.slot = "emissive";
+    for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+        const MatcNumbers light = matc_eval_slot(material->document, material->index, points[i], &options);
+        for (int k = 0; k < light.lanes; k++)
+            any |= light.lane[k] > 0;
+    }
+    return any;
+}
+
+static void warn_of_darkness(SceneReader *r, const SceneThing *thing)
+{
+    const Scene *scene = r->scene;
+    const Tree *objects = scene_thing_given(thing, S_Scene_objects);
+    if (!r->fine || !scene->object_count || scene_thing_given(thing, S_Scene_lights))
+        return;
+    for (int i = 0; i < scene->material_count; i++)
+        if (i != scene->sky && emits(&scene->materials[i]))
+            return;
+    diag_add(r->session, objects->span, DIAG_no_light);
+}
+
 static void read_scene(SceneReader *r, Tree *document)
 {
     SceneThing thing;
@@ -202,34 +230,6 @@ static void read_scene(SceneReader *r, Tree *document)
     scene_sun_add(r);
     if (!r->session->diags.errors)
         warn_of_darkness(r, &thing);
-}
-
-/* Whether a material emits light at one of some points. */
-static bool emits(const SceneMaterial *material)
-{
-    static const char *const points[] = {"u=0.5 v=0.5", "u=0.13 v=0.71 x=1 y=2 z=3", "u=0.87 v=0.29 x=-2 y=0.3 z=-1"};
-    MatcOptions options;
-    bool any = false;
-    matc_options_init(&options);
-    options.slot = "emissive";
-    for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
-        const MatcNumbers light = matc_eval_slot(material->document, material->index, points[i], &options);
-        for (int k = 0; k < light.lanes; k++)
-            any |= light.lane[k] > 0;
-    }
-    return any;
-}
-
-static void warn_of_darkness(SceneReader *r, const SceneThing *thing)
-{
-    const Scene *scene = r->scene;
-    const Tree *objects = scene_thing_given(thing, S_Scene_objects);
-    if (!r->fine || !scene->object_count || scene_thing_given(thing, S_Scene_lights))
-        return;
-    for (int i = 0; i < scene->material_count; i++)
-        if (i != scene->sky && emits(&scene->materials[i]))
-            return;
-    diag_add(r->session, objects->span, DIAG_no_light);
 }
 
 MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **made)
