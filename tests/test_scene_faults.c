@@ -214,10 +214,43 @@ static void triangles(void **state)
     }
 }
 
+/* A black picture is not drawn without a word; light of any kind, and an empty list, say that it is meant. */
+static void darkness_is_warned_of(void **state)
+{
+    (void)state;
+#define BALL(material) "objects: [{ object: Sphere, material: { " material " } }]\n"
+    static const struct {
+        const char *text;
+        bool warned;
+    } rows[] = {
+        {BALL("material: Phong, diffuse: red"), true},
+        {BALL("material: Principled, emission: 0, emissionColor: red"), true},
+        {"sky: { material: RGBA, r: 1 }\n" BALL("material: Phong"), true}, /* which lights nothing by itself */
+        {BALL("material: Phong, emissive: 0.1"), false},
+        {BALL("material: Phong, emissive: { map: Checker, color1: 0, color2: [0, 0, 1] }"), false},
+        {BALL("material: Principled, emission: 2"), false},
+        {BALL("material: glTF, emissiveFactor: [0, .5, 0]"), false},
+        {"lights: []\n" BALL("material: Phong"), false},
+        {"lights: [{ light: Ambient }]\n" BALL("material: Phong"), false},
+        {"sky: { material: RGBA, r: 1 }\nlights: [{ light: Sky }]\n" BALL("material: Phong"), false},
+        {"sky: { material: RGBA, r: 1 }\nobjects: []\n", false},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        Scene *scene = NULL;
+        MatcOptions options;
+        matc_options_init(&options);
+        MatcDocument *document = scene_read("scene.yaml", rows[i].text, strlen(rows[i].text), &options, &scene);
+        const char *said = matc_diagnostics(document, MATC_TEXT);
+        if (!scene || (strstr(said, "[-Wno_light]") != NULL) != rows[i].warned)
+            fail_msg("%s: %s", rows[i].text, said);
+        forget(scene, document);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults),      cmocka_unit_test(several),   cmocka_unit_test(materials_alone),
+        cmocka_unit_test(darkness_is_warned_of), cmocka_unit_test(faults),      cmocka_unit_test(several),   cmocka_unit_test(materials_alone),
         cmocka_unit_test(alias_bombs), cmocka_unit_test(triangles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -36,6 +36,16 @@ check "a temporary folder that takes nothing" sh -c "mkdir '$work/bare' && TMPDI
 (ulimit -v 200000 && $draw -d "$work/bare" $example) 2>"$work/stderr"
 check "no memory for the driver is no missing driver" says 'osmesa: .*: failed to map segment\|Cannot allocate memory'
 
+lit='lights: [{ light: Ambient }]'
+for camera in 'near: 20' 'position: [0, 5, 0], target: [0, 9, 0]' 'position: [9, 5, 0], target: [9, 0, 0], angle: 5'; do
+    printf 'camera: { camera: Perspective, %s }\nobjects: [{ object: Sphere, material: { material: Phong } }]\n%s\n' "$camera" "$lit" >"$work/unseen.yaml"
+    check "a scene of which nothing is in view, by $camera" status 0 $draw "$work/unseen.yaml" -o "$work/unseen.png"
+    check "says so" says 'warning: no object is in view'
+done
+printf 'camera: { camera: Perspective }\nobjects: [{ object: Sphere, material: { material: Phong } }]\n%s\n' "$lit" >"$work/seen.yaml"
+check "a scene of which something is in view" status 0 $draw "$work/seen.yaml" -o "$work/seen.png"
+check "says nothing" test ! -s "$work/stderr"
+
 # -- what each option does
 
 check "a picture" status 0 $draw $example -o "$work/plain.png"
