@@ -236,10 +236,12 @@ static void all_parts_at_once(void **state)
     forget(scene, document);
 }
 
-#define DEFAULTS                                                                                   \
+#define NUMBERS                                                                                    \
     .samples = 1, .contrast = 1, .weight = WORD_Weight_none,                                       \
-    .distribution = WORD_Distribution_cosine, .jitter = true, .checked = true,                     \
-    .directional = true, .bounces = 1, .gain = 1, .moving = 1
+    .distribution = WORD_Distribution_cosine, .bounces = 1, .gain = 1, .moving = 1
+#define DEFAULTS NUMBERS, .jitter = true, .checked = true, .directional = true
+#define AUTO                                                                                       \
+    .method = WORD_Indirect_auto, .rays = 8, .coarse = 1, .march = WORD_March_space, NOISE, SMOOTH
 #define NOISE  .sequence = WORD_Sequence_sobol, .rotation = WORD_Rotation_tile
 #define SMOOTH .filter = WORD_Filter_separable
 /* What the presets of the thesis have in common: Hammersley's points, random shifts and no
@@ -261,14 +263,10 @@ static const struct {
       DEFAULTS,
       NOISE,
       SMOOTH}},
-    {"indirect: {}\n",
-     {.method = WORD_Indirect_auto,
-      .rays = 8,
-      .coarse = 1,
-      .march = WORD_March_space,
-      DEFAULTS,
-      NOISE,
-      SMOOTH}},
+    {"indirect: {}\n", {AUTO, DEFAULTS}},
+    {"indirect: { jitter: false }\n", {AUTO, NUMBERS, .checked = true, .directional = true}},
+    {"indirect: { checked: false }\n", {AUTO, NUMBERS, .jitter = true, .directional = true}},
+    {"indirect: { directional: false }\n", {AUTO, NUMBERS, .jitter = true, .checked = true}},
     {"indirect: { method: screen, rays: 5, samples: 6, error: .125, history: 7, steps: 9, "
      "radius: 2.5, offset: .25, thickness: .75, contrast: 1.5, weight: quadratic, "
      "distribution: uniform, sequence: halton, rotation: blue, jitter: false, march: picture, "

@@ -275,11 +275,11 @@ static void objects_within_others(void **state)
             "transform: { "
             "translation: [1, 0, 0] } }, { object: Box, material: blue }] }\n"
             "- { object: Instance, of: ball, material: blue, transform: { scale: [1, 1, -2] } }\n"
-            "- { object: Scatter, material: red, count: 1, size: 0, least: 3, most: 3, transform: "
-            "{ translation: [7, 8, 9] "
-            "}, objects: [{ object: Sphere, radius: .5, detail: 8 }] }\n"
-            "- { object: Scatter, material: red, count: 3, seed: 0, size: [2, 2, 0], objects: [{ "
-            "object: Box }] }\n";
+            "- { object: Scatter, material: red, count: 1, size: 0, least: 3, most: 3, "
+            "transform: { translation: [7, 8, 9] }, "
+            "objects: [{ object: Sphere, radius: .5, detail: 8 }] }\n"
+            "- { object: Scatter, material: red, count: 3, seed: 0, size: [2, 2, 0], "
+            "objects: [{ object: Box }] }\n";
     static const SceneObject expected[] = {
         {.kind = SCENE_Box,
          .numbers = {1, 1, 1},
@@ -313,6 +313,33 @@ static void objects_within_others(void **state)
     forget(scene, document);
 }
 
+/* The sixth and the seventh number of SplitMix64 with seed 0 are .32733 and .17387, x and y: the
+ * copy is rotated about z by 3 (2 x - 1), and scaled by 1 + 2 y. Nine copies stand on an area of 6
+ * at a density of 1.5. */
+static void copies(void **state)
+{
+    (void)state;
+    static const char text[] =
+        TWO "objects:\n"
+            "- { object: Scatter, material: red, count: 1, size: 0, rotation: [0, 0, 3], least: 1, "
+            "most: 3, objects: [{ object: Box }] }\n"
+            "- { object: Scatter, material: blue, density: 1.5, objects: [{ object: Sphere }], "
+            "on: { object: Parallelogram, u: [2, 0, 0], v: [0, 3, 0] } }\n";
+    static const double scaled_cosine = .6868421689372693, scaled_sine = -1.159585890765223;
+    static const double scale = 1.3477357319193657;
+    const SceneObject expected = {
+        .kind = SCENE_Box,
+        .numbers = {1, 1, 1},
+        .world_from_local = {
+            {scaled_cosine, scaled_sine, 0, 0, -scaled_sine, scaled_cosine, 0, 0,
+             0, 0, scale, 0, 0, 0, 0, 1}}};
+    MatcDocument *document;
+    Scene *scene = read_fine(text, &document);
+    assert_int_equal(scene->object_count, 1 + 9);
+    check_object(&scene->objects[0], &expected, text);
+    forget(scene, document);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -320,6 +347,7 @@ int main(void)
         cmocka_unit_test(suns_of_skies),
         cmocka_unit_test(each_object),
         cmocka_unit_test(objects_within_others),
+        cmocka_unit_test(copies),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
