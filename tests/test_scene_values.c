@@ -340,6 +340,28 @@ static void copies(void **state)
     forget(scene, document);
 }
 
+/* An object's name follows those of its groups; what has none has NULL. Nothing is hidden yet. */
+static void names(void **state)
+{
+    (void)state;
+    static const char text[] =
+        RED "lights: [{ light: Ambient }, { light: Point, name: bulb }]\n"
+            "objects:\n"
+            "- { object: Group, name: lamps, material: red, "
+            "objects: [{ object: Sphere, name: bulb }] }\n"
+            "- { object: Box, material: red }\n";
+    MatcDocument *document;
+    Scene *scene = read_fine(text, &document);
+    assert_int_equal(scene->object_count, 2);
+    assert_string_equal(scene->objects[0].name, "lamps/bulb");
+    assert_null(scene->objects[1].name);
+    assert_null(scene->lights[0].name);
+    assert_string_equal(scene->lights[1].name, "bulb");
+    for (int i = 0; i < 2; i++)
+        assert_false(scene->objects[i].hidden || scene->objects[i].removed);
+    forget(scene, document);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -348,6 +370,7 @@ int main(void)
         cmocka_unit_test(each_object),
         cmocka_unit_test(objects_within_others),
         cmocka_unit_test(copies),
+        cmocka_unit_test(names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
