@@ -1,5 +1,6 @@
-/* Programs out of units (compiler/tool/batch_group.c), from units made by hand: which materials share a program, which numbers
- * become members of its buffer, and which programs are written once more. What a batch makes of that: test_manifest.c. */
+/* Programs out of units (compiler/tool/batch_group.c), from units made by hand: which materials
+ * share a program, which numbers become members of its buffer, and which programs are written once
+ * more. What a batch makes of that: test_manifest.c. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +11,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_UNITS = 200, MOST_MEMBERS = 1024, VEC3 = 3, FLOAT = 1, WORD = UNIT_WORDS + 1, WORDS = UNIT_WORDS + 4 };
+enum {
+    MOST_UNITS = 200,
+    MOST_MEMBERS = 1024,
+    VEC3 = 3,
+    FLOAT = 1,
+    WORD = UNIT_WORDS + 1,
+    WORDS = UNIT_WORDS + 4
+};
 
 /* A unit: a row of its own numbers, all lanes one after the other, as bits. */
 typedef struct {
@@ -66,7 +74,8 @@ static Made *group(const Case *c)
         fill_unit(made, c, i);
     for (int d = 0; d < c->documents; d++) {
         snprintf(made->names[d], sizeof made->names[d], "m%d", d);
-        made->materials[d] = (BatchMaterial){.name = made->names[d], .units = &made->units[d * c->requests]};
+        made->materials[d] =
+            (BatchMaterial){.name = made->names[d], .units = &made->units[d * c->requests]};
         made->documents[d] = (BatchDocument){.materials = &made->materials[d], .material_count = 1};
     }
     batch_group(&made->batch);
@@ -85,7 +94,8 @@ static void done(Made *made)
     free(made);
 }
 
-/* The program of each unit, and that each program's list has exactly its units, in the order of the inputs. */
+/* The program of each unit, and that each program's list has exactly its units, in the order of the
+ * inputs. */
 static void assert_programs(const Made *made, const int *programs, int units)
 {
     int listed = 0;
@@ -122,16 +132,20 @@ static void assert_again(const Made *made, int document, const int *again, int c
         assert_int_equal(made->documents[document].again[i], again[i]);
 }
 
-/* A vec3, a float, a vec3, a float and a word. The second vec3 differs as the first does; the second float is the same in all
- * materials; the word has the float's very bits. */
+/* A vec3, a float, a vec3, a float and a word. The second vec3 differs as the first does; the
+ * second float is the same in all materials; the word has the float's very bits. */
 static const uint8_t mixed[] = {VEC3, FLOAT, VEC3, FLOAT, WORD};
-static const uint32_t first_bits[] = {1, 2, 3, 10, 1, 2, 3, 7, 10}, second_bits[] = {1, 2, 4, 11, 1, 2, 4, 7, 11},
-                      third_bits[] = {1, 2, 3, 12, 1, 2, 3, 7, 12}, other_bits[] = {1, 2, 3, 10, 9, 2, 3, 8, 10};
+static const uint32_t first_bits[] = {1, 2, 3, 10, 1, 2, 3, 7, 10},
+                      second_bits[] = {1, 2, 4, 11, 1, 2, 4, 7, 11},
+                      third_bits[] = {1, 2, 3, 12, 1, 2, 3, 7, 12},
+                      other_bits[] = {1, 2, 3, 10, 9, 2, 3, 8, 10};
 
 static void one_shape_shares_a_program(void **state)
 {
-    static const Row rows[] = {
-        {5, 100, first_bits, true}, {6, 101, other_bits, true}, {5, 102, second_bits, false}, {5, 103, third_bits, false}};
+    static const Row rows[] = {{5, 100, first_bits, true},
+                               {6, 101, other_bits, true},
+                               {5, 102, second_bits, false},
+                               {5, 103, third_bits, false}};
     (void)state;
     Made *made = group(&(Case){mixed, 5, 4, 1, NUMBERS_auto, rows});
     assert_int_equal(made->batch.program_count, 2);
@@ -149,7 +163,8 @@ static void one_shape_shares_a_program(void **state)
 /* With a further material two places differ in another way, and are two members. */
 static void places_that_differ_apart_are_two_members(void **state)
 {
-    static const Row rows[] = {{5, 100, first_bits, true}, {5, 101, second_bits, false}, {5, 102, other_bits, false}};
+    static const Row rows[] = {
+        {5, 100, first_bits, true}, {5, 101, second_bits, false}, {5, 102, other_bits, false}};
     (void)state;
     Made *made = group(&(Case){mixed, 5, 3, 1, NUMBERS_auto, rows});
     assert_programs(made, (int[]){0, 0, 0}, 3);
@@ -157,7 +172,8 @@ static void places_that_differ_apart_are_two_members(void **state)
     done(made);
 }
 
-/* One differing lane of four makes a member; lanes of a neighbor do not, nor does a number of other width with equal bits. */
+/* One differing lane of four makes a member; lanes of a neighbor do not, nor does a number of other
+ * width with equal bits. */
 static void lanes_are_of_their_own_number(void **state)
 {
     static const uint8_t lanes[] = {WORDS, FLOAT, 2, FLOAT, FLOAT};
@@ -172,7 +188,8 @@ static void lanes_are_of_their_own_number(void **state)
 /* Materials with the same numbers share the program as it was written, without a buffer. */
 static void equal_numbers_need_no_buffer(void **state)
 {
-    static const Row rows[] = {{5, 100, first_bits, true}, {5, 100, first_bits, false}, {5, 100, first_bits, false}};
+    static const Row rows[] = {
+        {5, 100, first_bits, true}, {5, 100, first_bits, false}, {5, 100, first_bits, false}};
     (void)state;
     Made *made = group(&(Case){mixed, 5, 3, 1, NUMBERS_auto, rows});
     assert_programs(made, (int[]){0, 0, 0}, 3);
@@ -181,11 +198,13 @@ static void equal_numbers_need_no_buffer(void **state)
     done(made);
 }
 
-/* With baked numbers, and with all in a buffer already, programs go by the key alone. A program whose first material was not the
- * one that wrote it is written once more, under the first one's name. */
+/* With baked numbers, and with all in a buffer already, programs go by the key alone. A program
+ * whose first material was not the one that wrote it is written once more, under the first one's
+ * name. */
 static void without_auto_only_equal_keys_share(void **state)
 {
-    static const Row rows[] = {{5, 100, first_bits, false}, {5, 101, second_bits, true}, {7, 100, first_bits, true}};
+    static const Row rows[] = {
+        {5, 100, first_bits, false}, {5, 101, second_bits, true}, {7, 100, first_bits, true}};
     (void)state;
     for (Numbers numbers = NUMBERS_baked; numbers <= NUMBERS_uniform; numbers++) {
         Made *made = group(&(Case){mixed, 5, 3, 1, numbers, rows});
@@ -199,11 +218,13 @@ static void without_auto_only_equal_keys_share(void **state)
     }
 }
 
-/* Programs of two passes, document by document. The name of any pass but the G-buffer's has the pass in it. */
+/* Programs of two passes, document by document. The name of any pass but the G-buffer's has the
+ * pass in it. */
 static void passes_have_programs_of_their_own(void **state)
 {
-    static const Row rows[] = {{5, 100, first_bits, false}, {8, 110, first_bits, false}, {5, 101, second_bits, false},
-                               {8, 110, first_bits, false}, {9, 120, first_bits, false}, {8, 110, first_bits, false}};
+    static const Row rows[] = {{5, 100, first_bits, false},  {8, 110, first_bits, false},
+                               {5, 101, second_bits, false}, {8, 110, first_bits, false},
+                               {9, 120, first_bits, false},  {8, 110, first_bits, false}};
     (void)state;
     Made *made = group(&(Case){mixed, 5, 3, 2, NUMBERS_auto, rows});
     assert_int_equal(made->batch.program_count, 3);
@@ -218,13 +239,15 @@ static void passes_have_programs_of_their_own(void **state)
     done(made);
 }
 
-/* `count` floats that differ in each of four units, but that the last two units are one program; and a unit of another shape. */
+/* `count` floats that differ in each of four units, but that the last two units are one program;
+ * and a unit of another shape. */
 static Made *group_wide(int count)
 {
     static uint8_t lanes[MOST_MEMBERS + 1];
     static uint32_t bits[3][MOST_MEMBERS + 1];
-    static const Row rows[] = {{5, 100, bits[0], true}, {5, 101, bits[1], true}, {5, 100, bits[0], true},
-                               {6, 103, bits[0], true}, {5, 102, bits[2], true}, {5, 102, bits[2], true}};
+    static const Row rows[] = {{5, 100, bits[0], true}, {5, 101, bits[1], true},
+                               {5, 100, bits[0], true}, {6, 103, bits[0], true},
+                               {5, 102, bits[2], true}, {5, 102, bits[2], true}};
     memset(lanes, FLOAT, sizeof lanes);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k <= MOST_MEMBERS; k++)
@@ -278,10 +301,14 @@ static void many_programs_keep_their_order(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_shape_shares_a_program),         cmocka_unit_test(places_that_differ_apart_are_two_members),
-        cmocka_unit_test(lanes_are_of_their_own_number),      cmocka_unit_test(equal_numbers_need_no_buffer),
-        cmocka_unit_test(without_auto_only_equal_keys_share), cmocka_unit_test(passes_have_programs_of_their_own),
-        cmocka_unit_test(a_buffer_has_room_for_1024_members), cmocka_unit_test(more_members_share_nothing),
+        cmocka_unit_test(one_shape_shares_a_program),
+        cmocka_unit_test(places_that_differ_apart_are_two_members),
+        cmocka_unit_test(lanes_are_of_their_own_number),
+        cmocka_unit_test(equal_numbers_need_no_buffer),
+        cmocka_unit_test(without_auto_only_equal_keys_share),
+        cmocka_unit_test(passes_have_programs_of_their_own),
+        cmocka_unit_test(a_buffer_has_room_for_1024_members),
+        cmocka_unit_test(more_members_share_nothing),
         cmocka_unit_test(many_programs_keep_their_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

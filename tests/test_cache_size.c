@@ -1,5 +1,5 @@
-/* Entries of the cache whose size is wrong: each is a miss, counts as damaged, and is replaced. And the border of what a cache
- * reads and writes. */
+/* Entries of the cache whose size is wrong: each is a miss, counts as damaged, and is replaced. And
+ * the border of what a cache reads and writes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,8 +23,8 @@ static size_t read_bytes(const char *path, char *bytes, size_t room)
     return size;
 }
 
-/* Replaces an entry's file by this one. The entry must then be a miss, be removed, be counted once as damaged, and be
- * replaced by the next put. */
+/* Replaces an entry's file by this one. The entry must then be a miss, be removed, be counted once
+ * as damaged, and be replaced by the next put. */
 static void assert_replaced(const Folder *folder, const char *file, size_t size)
 {
     const Key key = key_of(12);
@@ -88,7 +88,8 @@ static void an_entry_of_a_wrong_size_is_not_kept(void **state)
 static void write_zeros(const char *path, Key key, const char *zeros, size_t size)
 {
     const uint32_t version = 1;
-    const uint64_t tail[] = {size, XXH3_64bits_withSeed(zeros, size, XXH3_64bits(&key, sizeof key))};
+    const uint64_t tail[] = {size,
+                             XXH3_64bits_withSeed(zeros, size, XXH3_64bits(&key, sizeof key))};
     char header[HEADER] = "matc";
     memcpy(header + 4, &version, sizeof version);
     memcpy(header + 8, &key, sizeof key);
@@ -97,7 +98,8 @@ static void write_zeros(const char *path, Key key, const char *zeros, size_t siz
     assert_int_equal(truncate(path, (off_t)(HEADER + size)), 0);
 }
 
-/* A blob has at most 256 MiB; one of a cache with a limit has, with its header, at most nine tenths of that. */
+/* A blob has at most 256 MiB; one of a cache with a limit has, with its header, at most nine tenths
+ * of that. */
 static void an_entry_over_the_limit_is_neither_read_nor_written(void **state)
 {
     enum { LARGEST = 256 << 20, LIMIT = 1000, LARGEST_WITHIN = 900 - HEADER };
