@@ -44,7 +44,7 @@ static const Document documents[] = {
     {"bad.yaml", "material: Phong\ndiffuse: { map: Checkers }\n"},
 };
 
-/* -- manifests, without keys and hashes: ' stands for a quote of JSON, @ for the documents' folder */
+/* -- manifests without keys and hashes; ' stands for a JSON quote, @ for the documents' folder */
 
 typedef struct {
     const char *options[MOST_OPTIONS], *documents[MOST_DOCUMENTS], *manifest;
