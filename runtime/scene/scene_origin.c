@@ -4,6 +4,7 @@
  * and the same floats: its picture does not differ by rounding. Where no such point is near, the camera's own
  * position serves. */
 #include "runtime/scene/scene_origin.h"
+#include "compiler/base/memory.h"
 #include "runtime/scene/scene_displacement.h"
 #include <math.h>
 #include <stdlib.h>
@@ -71,7 +72,7 @@ static void choose(const Scene *scene, const SceneCamera *camera, double origin[
     const SceneRoot *best = NULL;
     int count = 0;
     if (!near)
-        abort();
+        memory_exhausted();
     for (int i = 0; i < scene->root_count; i++)
         if (is_within(scene->roots[i].at, camera->position, reach))
             near[count++] = scene->roots[i];
