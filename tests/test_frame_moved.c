@@ -11,6 +11,7 @@
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_example.h"
 #include "tests/frame/frame_moved.h"
+#include "tests/value/share.h"
 #include <dirent.h>
 #include <math.h>
 #include <stdio.h>
@@ -90,6 +91,8 @@ static int list_examples(char names[SCENES][NAME])
     return count;
 }
 
+enum { SHARES = 4 /* tests/value/share.h: of the examples, under CI */ };
+
 /* -- moved */
 
 static void assert_moved(GlContext *gl, const char *name)
@@ -123,7 +126,8 @@ static void examples_are_moved(void **state)
     GlContext *gl = frame_context();
     assert_true(count > 30);
     for (int i = 0; i < count; i++)
-        assert_moved(gl, names[i]);
+        if (share_takes(i, SHARES))
+            assert_moved(gl, names[i]);
     gl_close(gl);
 }
 
@@ -229,8 +233,9 @@ static void examples_are_turned(void **state)
     GlContext *gl = frame_context();
     int drawn = 0;
     for (int i = 0; i < count; i++)
-        drawn += assert_turned(gl, names[i]);
-    assert_true(drawn >= 4);
+        if (share_takes(i, SHARES))
+            drawn += assert_turned(gl, names[i]);
+    assert_true(drawn >= 4 || getenv("TESTS_SHARE")); /* of all of them */
     gl_close(gl);
 }
 
