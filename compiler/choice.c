@@ -206,13 +206,11 @@ const TargetRow *choice_target(const MatcOptions *options)
 }
 
 /* The options of the first library of this number end where `warnings` begins: a caller's are at least as long. */
-static bool are_set(const MatcOptions *options) { return options->size >= offsetof(MatcOptions, warnings); }
+bool choice_is_set(const MatcOptions *options) { return options->size >= offsetof(MatcOptions, warnings); }
 
 /* The first option whose value does not exist; NULL: there is none. */
 static const char *fault_of(const MatcOptions *o)
 {
-    if (!are_set(o))
-        return "size";
     if (o->custom && !o->custom->row)
         return "layout";
     for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
@@ -248,7 +246,7 @@ const char *choice_job(const MatcOptions *o, Job *job)
 
 const char *choice_fault(Arena *arena, const MatcOptions *options)
 {
-    const char *option = fault_of(options),
+    const char *option = choice_is_set(options) ? fault_of(options) : "size",
                *value = option && text_option(option) ? choice_value(options, option) : NULL;
     NameChoice values;
     if (!option)
@@ -283,16 +281,16 @@ MatcOptions choice_whole_options(const MatcOptions *given)
     matc_options_init(&options);
     if (!given)
         return options;
-    if (are_set(given))
+    if (choice_is_set(given))
         memcpy(&options, given, given->size < sizeof options ? given->size : sizeof options);
-    options.size = are_set(given) ? sizeof options : given->size;
+    options.size = choice_is_set(given) ? sizeof options : given->size;
     return options;
 }
 
 bool choice_check(Session *session)
 {
     const MatcOptions *options = session->options;
-    return are_set(options) || diag_add(session, NO_SPAN, DIAG_unset_options, (int)options->size);
+    return choice_is_set(options) || diag_add(session, NO_SPAN, DIAG_unset_options, (int)options->size);
 }
 
 void choice_store_options(Bytes *to, const MatcOptions *options)
@@ -312,7 +310,7 @@ void choice_store_options(Bytes *to, const MatcOptions *options)
 const char *matc_options_fault(const MatcOptions *options)
 {
     const MatcOptions whole = choice_whole_options(options);
-    return fault_of(&whole);
+    return choice_is_set(&whole) ? fault_of(&whole) : "size";
 }
 
 static const char *choice_name(const Job *job, int axis) { return choice_table[job->choice[axis]].name; }

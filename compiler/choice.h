@@ -22,6 +22,8 @@ const char *choice_fault(Arena *arena, const MatcOptions *options);
 void choice_store_options(Bytes *to, const MatcOptions *options);
 /* The options of a caller that may know fewer members, or more: what it does not know has its default. */
 MatcOptions choice_whole_options(const MatcOptions *given);
+/* Whether matc_options_init, or that of a library with the same number, made the options. */
+bool choice_is_set(const MatcOptions *options);
 /* Reports options that matc_options_init did not set. False: nothing is to be read or compiled by them. */
 bool choice_check(Session *session);
 /* A line an axis: its choice and what settled it. For --stats. */

@@ -99,6 +99,8 @@ static const char *evaluate(const MatcDocument *d, int material, const char *poi
     Surface surface;
     const char *word;
     oracle_surface_default(&surface);
+    if (!choice_is_set(options))
+        return "the options were not set by matc_options_init";
     if (choice_job(options, &job))
         return "an option has no such value; see matc_options_fault";
     const char *fault = read_point(d->graph, &surface, point, &word);
@@ -169,7 +171,8 @@ MatcMoves matc_moves(const MatcDocument *d, int material, const MatcOptions *giv
     options.moved = false;
     options.members = NULL;
     options.member_count = 0;
-    if (d->graph && material >= 0 && material < d->graph->material_count && !choice_job(&options, &job)) {
+    if (d->graph && material >= 0 && material < d->graph->material_count && choice_is_set(&options) &&
+        !choice_job(&options, &job)) {
         Session quiet = session_open(&options, &arena);
         const Ir *ir = compile_ir(&quiet, d->graph, d->graph->materials[material].node, &job);
         if (ir && ir->displaced)
@@ -218,7 +221,7 @@ static bool has_material(const MatcDocument *d, int material)
 static Oracle *oracle_for(const MatcDocument *d, int material, const MatcOptions *options)
 {
     Job job;
-    if (!has_material(d, material) || choice_job(options, &job))
+    if (!has_material(d, material) || !choice_is_set(options) || choice_job(options, &job))
         return NULL;
     const ReferenceContext context = {.noise = job_noise(job.choice[AXIS_noise], job.target)};
     return oracle_open(d->graph, &context);

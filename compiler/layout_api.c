@@ -74,7 +74,7 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     const char *wrong = choice_fault(&arena, &own);
     if (wrong)
         diag_add(&session, NO_SPAN, DIAG_unknown_option, wrong);
-    bool fine = !choice_job(&own, &job) && graph && material >= 0 && material < graph->material_count;
+    bool fine = !wrong && !choice_job(&own, &job) && graph && material >= 0 && material < graph->material_count;
     job.pass = PASS_value;
     job.all_slots = true;
     matc_ranges_init(&one);
