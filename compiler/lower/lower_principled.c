@@ -290,14 +290,16 @@ Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
     }
 }
 
-/* What a metal, or a dielectric, reflects along the normal. */
+/* The share that a metal, or a dielectric, reflects along the normal. A Phong that is mixed with a Principled may have any
+ * number here; beyond [0, 1] what the lobe leaves over would be a difference of great numbers. */
 static Ref reflected(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
     Ref strength = build_splat(ir, lower_slot(l, m, SLOT_reflectance, env), TYPE_vec3);
     Ref dielectric = build_mul(ir, strength, lower_slot(l, m, SLOT_specular, env));
     Ref metal = lower_slot(l, m, SLOT_diffuse, env);
-    return build_mix(ir, dielectric, metal, lower_slot(l, m, SLOT_metalness, env));
+    Ref share = build_mix(ir, dielectric, metal, lower_slot(l, m, SLOT_metalness, env));
+    return build_clamp(ir, share, build_all(ir, TYPE_vec3, 0), build_all(ir, TYPE_vec3, 1));
 }
 
 /* The exponent of the lobe as wide as GGX's: of directions of light it is twice as wide as of
@@ -313,26 +315,26 @@ static Ref exponent_of(Lower *l, const Node *m, const Env *env)
 }
 
 /* A Phong's light is less by its whole transparency; of a Principled's that which goes through
- * the dielectric is left out already. The factor is (1 - holes) / (1 - transparency). 0: there
- * are none but holes. */
+ * the dielectric is left out already. The factor is (1 - holes) / (1 - transparency); 1 where
+ * nothing goes through the dielectric. That is decided by value: what is constant after folding
+ * alone would mean another thing at -O0. */
 static Ref kept_twice(Lower *l, const Node *m, const Env *env)
 {
     const double least = 1e-3;
     Ir *ir = l->ir;
     Ref one = build_all(ir, TYPE_vec3, 1);
     Ref there = build_splat(ir, lower_slot(l, m, SLOT_alpha, env), TYPE_vec3);
-    if (ir_is_number(ir, lower_slot(l, m, SLOT_transmission, env), 0))
-        return 0;
+    Ref opaque = build_le(ir, lower_slot(l, m, SLOT_transmission, env), build_float(ir, 0));
     Ref kept = build_sub(ir, one, lower_slot(l, m, SLOT_transparency, env));
-    return build_div(ir, there, build_max(ir, kept, build_all(ir, TYPE_vec3, least)));
+    Ref factor = build_div(ir, there, build_max(ir, kept, build_all(ir, TYPE_vec3, least)));
+    return build_select(ir, opaque, one, factor);
 }
 
 /* As strong as it has to be, at most 1, as the slots are. */
 static Ref within_slot(Lower *l, const Node *m, Ref strength, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref twice = kept_twice(l, m, env);
-    Ref wanted = twice ? build_mul(ir, strength, twice) : strength;
+    Ref wanted = build_mul(ir, strength, kept_twice(l, m, env));
     return build_min(ir, wanted, build_all(ir, TYPE_vec3, 1));
 }
 
