@@ -66,7 +66,9 @@ static bool goes_by(const char *name, const char *wanted)
 
 int matc_scene_find_object(const MatcScene *s, const char *name, int after)
 {
-    for (int i = after < 0 ? 0 : after + 1; after < INT32_MAX && i < s->scene->object_count; i++)
+    if (after >= s->scene->object_count)
+        return -1;
+    for (int i = after < 0 ? 0 : after + 1; i < s->scene->object_count; i++)
         if (goes_by(s->scene->objects[i].name, name))
             return i;
     return -1;
