@@ -205,8 +205,8 @@ const TargetRow *choice_target(const MatcOptions *options)
     return target < 0 ? NULL : &target_table[target];
 }
 
-/* The options of the first library of this number end where `warnings` begins: a caller's are at least as long. */
-bool choice_is_set(const MatcOptions *options) { return options->size >= offsetof(MatcOptions, warnings); }
+/* A caller of an older library may know fewer options, but all that have a name. */
+bool choice_is_set(const MatcOptions *options) { return options->size >= offsetof(MatcOptions, optimize); }
 
 /* The first option whose value does not exist; NULL: there is none. */
 static const char *fault_of(const MatcOptions *o)

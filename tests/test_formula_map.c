@@ -15,8 +15,8 @@ static const struct {
     {"{ map: Separate, channel: a, input: '#ff00ff80' }", 1},
     {"{ map: Mix }", 1},
     {"{ map: Mix, a: 0, b: [1, .5, .2] }", 3},
-    {"{ map: Mix, a: [1, .5], amount: red }", 3}, /* two lanes and one number */
-    {"{ map: Mix, a: 1, b: 0, amount: red }", 1},
+    {"{ map: Mix, a: [1, .5], amount: '= [1, 0, 0]' }", 3}, /* two lanes and one number */
+    {"{ map: Mix, a: 1, b: 0, amount: '= [1, 0, 0]' }", 1},
     {"{ map: Add, a: .5, b: red }", 3},
     {"{ map: Multiply, b: '#ff00ff80' }", 4},
     {"{ map: Remap, input: '= uv' }", 2},
@@ -25,7 +25,7 @@ static const struct {
     {"{ map: Power, input: red }", 3},
     {"{ map: HSV, input: red }", 3},
     {"{ map: Switch, which: 1, maps: [1, red] }", 3},
-    {"{ map: Switch, which: red, maps: [1, 0] }", 1},
+    {"{ map: Switch, which: '= [1, 0, 0]', maps: [1, 0] }", 1},
     {"{ map: Switch }", 1},
     {"{ map: Ramp }", 1},
     {"{ map: Ramp, a: red }", 3},

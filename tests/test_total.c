@@ -94,7 +94,7 @@ static void unset_options(void **state)
 {
     (void)state;
     static const char text[] = "material: Phong\n";
-    static const size_t sizes[] = {0, 1, sizeof(size_t), offsetof(MatcOptions, warnings) - 1};
+    static const size_t sizes[] = {0, 1, sizeof(size_t), offsetof(MatcOptions, optimize) - 1};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         const MatcOptions zeros = {.size = sizes[i], .target = "essl300", .validate = true};
         MatcOptions changed = zeros;
