@@ -96,7 +96,7 @@ static int open_rest(const char *folder, char *rest)
     return -1;
 }
 
-/* The same path without links, from malloc. NULL: *why. */
+/* Resolves the links of a path, into memory from malloc. NULL: *why. */
 static char *resolve(const char *root, const char *path, char **canonical, const char **why)
 {
     *canonical = realpath(root, NULL);

@@ -19,14 +19,14 @@ char *describe_document_schema(const char *ref, const char *document);
 void describe_beside(Text *out);
 /* The page of a name that describe knows by its tables: --explain; from malloc, NULL: it knows none. describe_explain.c */
 char *describe_explain(const char *name);
-/* The same as describe_type, of a parameter of a scene. describe_scene.c */
+/* Does what describe_type does for a parameter of a scene. describe_scene.c */
 const char *describe_scene_type(const SceneParamRow *row);
 /* Pages of parameters of that name, of materials, maps and scenes, and of words that they may be. `same`
  * compares names. Nothing is added if there are none. describe_param.c */
 typedef int DescribeCompare(const char *, const char *);
 void describe_params(Text *out, const char *name, DescribeCompare *same);
 void describe_words(Text *out, const char *name, DescribeCompare *same);
-/* What a name of other tools is here. describe_foreign.c */
+/* Explains what a name of other tools is called here. describe_foreign.c */
 void describe_foreign(Text *out, const char *name);
 /* Lists: all names of other tools; all definitions of the library. describe_foreign.c */
 void describe_foreign_list(Text *out);

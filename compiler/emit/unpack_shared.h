@@ -14,7 +14,7 @@ typedef struct {
     bool has[SLOT_COUNT][FIELD_LANES];
 } UnpackShared;
 
-/* Of the cases that the job takes; nothing, if that is one alone. */
+/* Applies to the cases that the job takes; nothing is shared where that is one alone. */
 UnpackShared unpack_shared(const Job *job);
 /* Some of the slot is shared, so that a case without it has to say what it is. */
 bool unpack_shares(const UnpackShared *shared, Slot slot);

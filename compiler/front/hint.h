@@ -25,14 +25,14 @@ bool hint_map_name(Resolver *r, const Tree *tree);
  *     { type: Checker }        `map: Checker`
  *     { image: f.png }         { map: ImageMap, image: ... } */
 bool hint_object(Resolver *r, const Tree *object, bool material);
-/* The same of a whole document: `type: Principled`. */
+/* A hint for a whole document: `type: Principled`. */
 bool hint_document(Session *session, const Tree *document);
 /* "; it comes with matc: `include: rust.yaml`": of a name that a file of the library defines, and no file
  * of the document; NULL: none does. hint_library.c */
 const char *hint_shipped(Session *session, const char *name);
 /* The row of a name; NULL: the library has none. */
 const LibraryName *hint_library_name(const char *name);
-/* The same of a definition in a kind's place, `map: rust`, also of one that the document has. hint_library.c */
+/* A hint for a definition in the place of a kind, `map: rust`, also of one that the document has. hint_library.c */
 const char *hint_definition(Resolver *r, const char *name);
 /* A map or a material as an item of a list. */
 bool hint_listed(Session *session, const Tree *list);

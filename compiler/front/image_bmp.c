@@ -61,7 +61,7 @@ static bool is_mask(uint32_t mask)
     return !(mask & (mask + 1));
 }
 
-/* Of 16 and 32 bits: five or eight of each colour, or what the masks say. */
+/* Pixels of 16 and 32 bits have five or eight bits a color, or those that the masks say. */
 static const char *read_masks(Bmp *bmp, Image *image)
 {
     static const uint32_t plain[2][LANES] = {{0x7C00, 0x3E0, 0x1F, 0}, {0xFF0000, 0xFF00, 0xFF, 0}};
