@@ -11,7 +11,7 @@
 
 enum { SIDE = 33, MIDDLE = 4 * (SIDE / 2 * SIDE + SIDE / 2) };
 
-/* What a white, matt surface sends from the origin: a parallelogram around it, whose other edge `tilt` has. */
+/* Radiance of a white, diffuse surface at the origin: a parallelogram around it, whose other edge `tilt` has. */
 static double sent(GlContext *gl, const char *camera, const char *light, const char *tilt)
 {
     char text[1024];

@@ -177,7 +177,7 @@ static void distances(void **state)
 
 /* -- turned */
 
-/* What does not turn with the objects: a sky that is no plain color, light that knows up from down, and what is
+/* Parts of a scene that do not turn with the objects: a sky that is no plain color, light that knows up from down, and what is
  * sampled along the world's axes or a light's: voxels and shadow maps. */
 static bool may_turn(Scene *scene)
 {

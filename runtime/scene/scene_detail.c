@@ -119,7 +119,7 @@ double scene_detail_pixels(const SceneDetail *detail, const double center[3], do
     return nearest > radius ? detail->pixels / (nearest - radius) : INFINITY;
 }
 
-/* Of n steps a chord of a circle is off by r (1 - cos(pi / n)). A sphere's cells are squares of the same angle at most, and their
+/* With n steps a chord of a circle is off by r (1 - cos(pi / n)). A sphere's cells are squares of the same angle at most, and their
  * middles off by that of half a diagonal. */
 int scene_detail_steps(SceneKind kind, double pixels)
 {

@@ -1,10 +1,10 @@
-/* What displaces the objects of a scene, between its files. */
+/* The state of a scene's displacement, shared by its files. */
 #ifndef MATC_SCENE_DISPLACER_H
 #define MATC_SCENE_DISPLACER_H
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_fine.h"
 
-/* What of an object is displaced. */
+/* The part of an object that is displaced. */
 typedef struct {
     SceneKind kind; /* SCENE_Plane: nothing is */
     int mesh;       /* of a Mesh */
@@ -41,7 +41,7 @@ struct SceneDisplacer {
 
 /* The values that params of a material have. scene_displace_param.c */
 Key scene_displacer_param_key(const SceneDisplacer *by, int material);
-/* What moves the material's points reads the param. */
+/* The material's displacement reads the param. */
 bool scene_displacer_reads(const Scene *scene, int material, const char *name, int count);
 /* Finds or adds it, with the value that it has; NULL: memory ran out. */
 SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const char *name, int count);

@@ -6,7 +6,7 @@
 
 enum { SCENE_FINE_LEAST = 128 /* triangles of a displaced mesh that is hardly seen */ };
 
-/* Of a displaced object. */
+/* For a displaced object. */
 typedef struct {
     int triangles; /* to about how many it is divided */
     int steps;     /* of the body that is displaced; 0: it says that itself */
@@ -18,7 +18,7 @@ typedef struct {
 
 /* Decides by all triangles whether detail goes by the picture; then bodies that are not displaced have their steps. `by` has its bases. */
 void scene_fine_choose(Scene *scene, Arena *arena);
-/* The same for a picture of another size, where it has been decided so. */
+/* Repeats this for a picture of another size, where detail follows the picture. */
 void scene_fine_look(Scene *scene, int width, int height);
 /* `before` is the object before it was displaced. */
 SceneFineness scene_fine_of(const Scene *scene, const SceneObject *before);
