@@ -15,6 +15,7 @@ typedef struct {
     GlKind kind;
     bool timed;
     const char *map;
+    const char *plot; /* or NULL: of the charts beside the table */
     int most; /* triangles */
     unsigned tables;
 } Arguments;
@@ -223,7 +224,7 @@ static bool measure_programs(GlContext *gl, const Arguments *a)
     return displacement_programs(gl, a->timed, a->most / 4);
 }
 
-static bool measure_table(GlContext *gl, const Arguments *a) { return displacement_table(gl, a->timed, a->most); }
+static bool measure_table(GlContext *gl, const Arguments *a) { return displacement_table(gl, a->timed, a->most, a->plot); }
 
 static bool measure_bisection(GlContext *gl, const Arguments *a)
 {
@@ -267,6 +268,8 @@ static bool read_argument(const char *text, Arguments *a)
         }
     if (!strncmp(text, "--map=", 6))
         return a->map = text + 6, true;
+    if (!strncmp(text, "--plot=", 7))
+        return a->plot = text + 7, true;
     if (!strncmp(text, "--triangles=", 12))
         return a->most = atoi(text + 12), a->most >= 8192 && a->most <= 1 << 24;
     if (!strcmp(text, "--untimed"))
@@ -280,7 +283,7 @@ int bench_displacement(int argc, char **argv)
     Arguments a = {.kind = GL_KIND_osmesa, .timed = true, .most = 1 << 19};
     for (int i = 1; i < argc; i++)
         if (!read_argument(argv[i], &a)) {
-            fputs("usage: matbench displacement [--untimed] [--gl=osmesa|egl] [--map=FILE] [--triangles=N] [error] "
+            fputs("usage: matbench displacement [--untimed] [--gl=osmesa|egl] [--map=FILE] [--triangles=N] [--plot=BASENAME] [error] "
                   "[speed] [programs] [bisection] [silhouettes] [slopes] [table]\n",
                   stderr);
             return 2;

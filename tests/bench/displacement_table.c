@@ -3,6 +3,7 @@
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/frame/frame.h"
+#include "runtime/measure/plot.h"
 #include "runtime/render/render.h"
 #include <math.h>
 #include <stdio.h>
@@ -205,7 +206,67 @@ static int decimals(double frames) { return frames < 9.95 ? 1 : 0; }
 
 static double given(int frames) { return frames ? frames : (double)NAN; }
 
-bool displacement_table(GlContext *gl, bool timed, int most)
+/* -- charts of figures 23 and 24 of the thesis: frames a second by triangles, its own beside ours */
+
+enum { PANELS = 4, LINES = THIRD + 1 }; /* a version there and here; its numbers of steps, and brute force */
+typedef struct {
+    PlotPoint at[ROWS * LINES];
+    int count;
+} Line;
+
+/* Frames a second of a column (THIRD and SECOND together; -1: brute force), as the thesis has them. */
+static double thesis_rate(int row, int column)
+{
+    const int rate = column < 0 ? rows[row].brute : column < THIRD ? rows[row].third[column] : rows[row].second[column - THIRD];
+    return given(rate);
+}
+
+static void add_line(Line *to, int column, int line, const Curve *here)
+{
+    int last = -1;
+    for (int row = 0; row < ROWS; row++) {
+        const double triangles = rows[row].triangles;
+        const double rate = here ? frames_at(here, triangles) : thesis_rate(row, column);
+        if (isnan(rate))
+            continue;
+        last = to->count++;
+        to->at[last] = (PlotPoint){.x = triangles, .y = rate, .line = line, .label = column < 0 ? "brute" : versions[column].name};
+    }
+    if (last >= 0)
+        to->at[last].named = true;
+}
+
+static bool write_text(const char *plot, const char *svg)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s.svg", plot);
+    FILE *file = fopen(path, "w");
+    bool done = file && fputs(svg, file) >= 0;
+    done = file && !fclose(file) && done;
+    return done || fprintf(stderr, "matbench: %s cannot be written\n", path) < 0;
+}
+
+static bool write_charts(const char *plot, const char *driver, const Curve curves[VERSIONS], const Curve *brute)
+{
+    static Line lines[PANELS];
+    static const char *const titles[PANELS] = {"third version, GeForce 8800 GTX", "third version, here",
+                                               "second version, GeForce 8800 GTX", "second version, here"};
+    PlotPanel panels[PANELS];
+    memset(lines, 0, sizeof lines);
+    for (int i = 0; i < PANELS; i++) {
+        const int first = i < 2 ? 0 : THIRD, count = i < 2 ? THIRD : SECOND;
+        add_line(&lines[i], -1, LINES, i % 2 ? brute : NULL);
+        for (int column = first; column < first + count; column++)
+            add_line(&lines[i], column, column - first + 1, i % 2 ? &curves[column] : NULL);
+        panels[i] = (PlotPanel){titles[i], "triangles", "frames a second", lines[i].at, lines[i].count};
+    }
+    char *svg = plot_svg(&(Plot){"Displacement by transform feedback", driver, panels, PANELS, 2});
+    const bool done = write_text(plot, svg);
+    free(svg);
+    return done;
+}
+
+bool displacement_table(GlContext *gl, bool timed, int most, const char *plot)
 {
     Curve curves[VERSIONS] = {{.count = 0}}, even[2] = {{.count = 0}};
     static const char *const methods[] = {"mesh", "grid"};
@@ -229,5 +290,5 @@ bool displacement_table(GlContext *gl, bool timed, int most)
                    FRAMES_AT(&curves[i], triangles));
         puts("");
     }
-    return fine;
+    return fine && (!plot || !timed || write_charts(plot, gl->renderer, curves, &even[0]));
 }

@@ -61,6 +61,7 @@ static const struct {
     {"render", bench_render,
      "what a frame takes by materials, lights, objects, passes, transparent fragments, beside a forward renderer",
      true},
+    {"thesis", bench_thesis, "tables 5.2 to 5.6 of the thesis on Proteus, its numbers beside ours: there : here", true},
     {"shadows", bench_shadows, "how far ends of shadows are from the true ones, and what they take, by every method",
      true},
     {"indirect", bench_indirect, "slice maps, and rays through voxels by levels, voxel by voxel, by the thesis' march",

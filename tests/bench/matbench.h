@@ -53,6 +53,8 @@ int bench_functions(int argc, char **argv);
 int bench_noise(int argc, char **argv);
 /* What a frame takes: --untimed --gl=KIND --size=WIDTHxHEIGHT --csv FILE, names of tables. 1: pictures differ that must not. */
 int bench_render(int argc, char **argv);
+/* Tables of Hartmann 2010, with its numbers beside ours: --untimed --quick --gl=KIND, names of tables. */
+int bench_thesis(int argc, char **argv);
 /* Shadows by every method: errors of their ends, times: --untimed --gl=KIND --triangles=N --mesh=FILE --maps=TEXELS, names of tables. */
 int bench_shadows(int argc, char **argv);
 /* The rows of grammar/cells.def, measured. */

@@ -17,7 +17,7 @@ typedef struct {
     const char *only; /* the word of the methods that are measured beside PCF; or NULL */
     int triangles;    /* else, of a ball with bumps, about */
     int map_size;
-    bool timed;
+    bool timed, quick;
     unsigned tables;
 } Arguments;
 
@@ -106,8 +106,9 @@ static const struct {
     const char *name;
     bool (*measure)(const Shadows *s);
 } tables[] = {{"errors", measure_errors}, {"steps", shadows_steps},       {"times", measure_times},
-              {"paths", shadows_paths},   {"polygons", shadows_polygons}, {"claims", shadows_claims}};
-enum { TABLES = sizeof tables / sizeof *tables };
+              {"paths", shadows_paths},   {"polygons", shadows_polygons}, {"claims", shadows_claims},
+              {"table1", shadows_table1}};
+enum { TABLES = sizeof tables / sizeof *tables, TABLE_1 = 1 << (TABLES - 1) /* only where it is asked for */ };
 
 static bool read_argument(const char *text, Arguments *made)
 {
@@ -122,6 +123,8 @@ static bool read_argument(const char *text, Arguments *made)
         made->plot = text + 7;
     if (!strncmp(text, "--only=", 7))
         made->only = text + 7;
+    if (!strcmp(text, "--quick"))
+        return made->quick = true;
     return made->only == text + 7 || made->mesh == text + 7 || made->plot == text + 7 ||
            (!strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &made->kind)) ||
            sscanf(text, "--triangles=%d", &made->triangles) == 1 || sscanf(text, "--maps=%d", &made->map_size) == 1;
@@ -134,7 +137,7 @@ static bool read_arguments(int argc, char **argv, Arguments *made)
     for (int i = made->timed ? 1 : 2; i < argc; i++)
         if (!read_argument(argv[i], made))
             return false;
-    made->tables = made->tables ? made->tables : (1u << TABLES) - 1;
+    made->tables = made->tables ? made->tables : ((1u << TABLES) - 1) & ~(unsigned)TABLE_1;
     return made->triangles >= 100 && made->triangles <= 4000000 && made->map_size >= 16 && made->map_size <= 8192;
 }
 
@@ -174,7 +177,7 @@ static bool keep_only(const char *name, Shadows *s)
 static int run(const Arguments *arguments)
 {
     char error[4096];
-    Shadows s = {.timed = arguments->timed, .map_size = arguments->map_size, .plot = arguments->plot};
+    Shadows s = {.timed = arguments->timed, .quick = arguments->quick, .map_size = arguments->map_size, .plot = arguments->plot};
     matc_options_init(&s.compile);
     s.compile.pixels = true;
     if (!open_mesh(arguments, &s.mesh))
@@ -200,7 +203,7 @@ int bench_shadows(int argc, char **argv)
     if (read_arguments(argc, argv, &arguments))
         return run(&arguments);
     fputs("usage: matbench shadows [--untimed] [--gl=osmesa|egl] [--triangles=N] [--mesh=FILE|NAME] [--maps=TEXELS] "
-          "[--only=METHOD] [--plot=BASENAME] [errors] [steps] [times] [paths] [polygons] [claims]\n",
+          "[--only=METHOD] [--plot=BASENAME] [errors] [steps] [times] [paths] [polygons] [claims] [table1] [--quick]\n",
           stderr);
     return 2;
 }

@@ -7,7 +7,7 @@
 typedef struct {
     GlContext *gl;
     MatcOptions compile;
-    bool timed;
+    bool timed, quick;
     int map_size;
     Shape mesh;
     const char *plot; /* begins names of files; or NULL */
@@ -34,6 +34,8 @@ bool shadows_time(const Shadows *s, const ShadowsTiming *timing, ShadowsTime *ti
  * the light moves. */
 bool shadows_paths(const Shadows *s);
 bool shadows_polygons(const Shadows *s);
+/* Frames a second of table 1 of the thesis (Möck 2006) beside ours; --quick leaves rows of many polygons out. */
+bool shadows_table1(const Shadows *s);
 bool shadows_steps(const Shadows *s);
 /* What the thesis claims of quality. */
 bool shadows_claims(const Shadows *s);

@@ -107,6 +107,64 @@ static double best(const double rates[METHODS], int volume)
     return most;
 }
 
+/* Table 1 of the thesis, on a GeForce 6800 GT: none, map, then each volume fetched (its vertex texture fetch) and copied (its
+ * pixel buffer). It has no counterpart of the path `compute`. */
+enum { COPIED = 2, THERE = FIRST_VOLUME + COPIED * VOLUMES, QUICK_POLYGONS = 32000 };
+static const double there[ROWS][THERE] = {
+    {845, 555, 144, 119, 139, 113, 65, 36}, {739, 432, 135, 112, 131, 107, 63, 35},
+    {472, 232, 110, 93, 105, 89, 58, 33},   {194, 76, 59, 55, 58, 53, 41, 26},
+    {60, 22, 21, 20, 20, 19, 18, 14},       {40, 14, 14, 14, 14, 14, 13, 11},
+    {11, 4, 4, 4, 4, 4, 4, 4},
+};
+
+/* Where the method of a column of the thesis stands among ours. */
+static int method_of(int column)
+{
+    const int volume = (column - FIRST_VOLUME) / COPIED, path = (column - FIRST_VOLUME) % COPIED;
+    return column < FIRST_VOLUME ? column : FIRST_VOLUME + PATHS * volume + path;
+}
+
+/* Frames a second, or over those without shadows in the same row and on the same side. */
+static void put_compared(const double rates[METHODS], int row, bool over_none)
+{
+    printf("%-8d", polygons[row]);
+    for (int i = 0; i < THERE; i++)
+        printf(" %5s : %8s", NUMBER(over_none ? 2 : 0, over_none ? there[row][i] / there[row][NONE] : there[row][i]),
+               NUMBER(over_none ? 2 : 1, over_none ? rates[method_of(i)] / rates[NONE] : rates[method_of(i)]));
+    putchar('\n');
+    fflush(stdout);
+}
+
+static void put_compared_head(const char *what)
+{
+    static const char *const names[THERE] = {"none",         "map",          "plain,fetch",   "plain,copy",
+                                             "blur,fetch",   "blur,copy",    "perfect,fetch", "perfect,copy"};
+    printf("\ntable 1 of the thesis, a map of 256 x 256, all drawn anew, there : here, %s\n%-8s", what, "polygons");
+    for (int i = 0; i < THERE; i++)
+        printf(" %16s", names[i]);
+    putchar('\n');
+}
+
+bool shadows_table1(const Shadows *s)
+{
+    enum { MAP_SIZE = 256 };
+    static double rates[ROWS][METHODS];
+    for (int row = 0; row < ROWS; row++) {
+        for (int i = 0; i < METHODS; i++)
+            rates[row][i] = (double)NAN;
+        bench_show("table 1");
+        if (s->timed && (!s->quick || polygons[row] <= QUICK_POLYGONS) && !time_row(s, row, MAP_SIZE, rates[row]))
+            return false;
+        bench_show("");
+    }
+    for (int over_none = 0; over_none < 2; over_none++) {
+        put_compared_head(over_none ? "frames a second over those without shadows" : "frames a second");
+        for (int row = 0; row < ROWS; row++)
+            put_compared(rates[row], row, over_none);
+    }
+    return true;
+}
+
 enum { LINES = 2 + VOLUMES }; /* of a chart: none, map, volumes */
 
 static double rate_of(const double rates[METHODS], int line)
