@@ -41,7 +41,7 @@ target_link_options(failing_malloc PRIVATE -fno-sanitize=all)
 
 # ctest -L quick: for the inner loop, a few seconds in all
 set(QUICK golden abi embed_example functions layers locale exports test_affine test_bounded test_convert test_defaults test_exact
-  test_exact_material test_filtered_pass test_ir_check test_journal_damage test_journal_forgery test_journal_undoing test_json
+  test_exact_material test_filtered_pass test_ir_check test_json
   test_json_write test_key test_ktx test_layout_cases test_layout_file test_merge test_names test_narrow test_oracle test_oracle_material
   test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_group test_rules_range test_scene_defaults test_sheet test_tables test_thesis)
 
@@ -71,8 +71,6 @@ function(matc_test_needs program name)
     target_link_libraries(${program} PRIVATE PkgConfig::MPFR)
   elseif(name MATCHES "^test_frame")
     target_link_libraries(${program} PRIVATE ${EMBREE})
-  elseif(name MATCHES "^test_journal")
-    target_sources(${program} PRIVATE tests/journal/world.c)
   elseif(name MATCHES "^test_kill")
     target_sources(${program} PRIVATE tests/kill/world.c)
     target_compile_definitions(${program} PRIVATE STRIKE_LIBRARY="$<TARGET_FILE:strike>")

@@ -64,46 +64,38 @@ check "and stays" test -s "$work/layout/compact.layout.yaml"
 mkdir -p "$work/ended/.matc-stage-abcdef" "$work/ended/.matc-stage-inuse0" "$work/ended/.matc-cache"
 echo half >"$work/ended/.matc-stage-abcdef/0"
 echo half >"$work/ended/.matc-stage-inuse0/0"
-exec 9>"$work/ended/.matc-stage-inuse0/journal"
+exec 9<"$work/ended/.matc-stage-inuse0"
 flock 9
 check "what was left behind" status 0 $fast -d "$work/ended" examples/checker.yaml
 check "is removed, unless it is somebody's" only "$work/ended" .matc-cache .matc-stage-inuse0 checker.frag manifest.json
 exec 9<&-
 check "who is ended in turn" status 0 $fast -d "$work/ended" examples/checker.yaml
 check "has it removed, too" only "$work/ended" .matc-cache checker.frag manifest.json
-mkdir "$work/ended/.matc-commit"
-echo half >"$work/ended/.matc-commit/0"
-check "a commit without a journal" status 0 $fast -d "$work/ended" examples/checker.yaml
-check "is removed" only "$work/ended" .matc-cache checker.frag manifest.json
 
-# -- a journal that cannot be followed is an error at once, and nothing changes; test_journal_*.c have every kind of it
+# -- a list of intents that cannot be read is an error at once, and nothing changes; test_staging.c has more
 
-refused() { # a command that makes out/.matc-commit, and what is said
+refused() { # a command that damages the list of an interrupted run
     rm -rf "$work/broken" "$work/same"
     $fast -d "$work/broken" examples/wood.yaml
-    mkdir "$work/broken/.matc-commit"
-    echo precious >"$work/broken/.matc-commit/0.old"
-    (cd "$work/broken/.matc-commit" && eval "$1")
+    mkdir -m 700 "$work/broken/.matc-stage-abcdef"
+    (cd "$work/broken/.matc-stage-abcdef" && eval "$1")
     ls -lAR "$work/broken" >"$work/before"
     check "$1: a batch" status 1 timeout 10 $fast -d "$work/broken" examples/checker.yaml
-    check "$1: says why" says "error: $work/broken: .*\.matc-commit.*$2"
+    check "$1: gives the reason" says "error: $work/broken: .*\.matc-stage.*damaged"
     check "$1: a file" status 1 timeout 10 $fast -o "$work/broken/one.frag" examples/checker.yaml
-    check "$1: says why" says "error: .*\.matc-commit.*$2"
+    check "$1: gives the reason" says "error: .*\.matc-stage.*damaged"
     ls -lAR "$work/broken" >"$work/same"
     check "$1: and nothing changes" cmp "$work/before" "$work/same"
-    rm -rf "$work/broken/.matc-commit"
+    rm -rf "$work/broken/.matc-stage-abcdef"
     check "$1: without it" status 0 $fast -d "$work/broken" examples/checker.yaml
     check "$1: all is well" only "$work/broken" checker.frag manifest.json
 }
-refused 'echo { >journal' damaged
-refused 'head -c 100 /dev/zero >journal' damaged
-refused 'truncate -s 1T journal' damaged
-refused 'mkdir journal' 'move it away'
-refused 'mkfifo journal' 'move it away'
-refused 'ln -s 0.old journal' 'move it away'
-refused 'rm 0.old; mkdir sub' 'move them away'
-refused 'cd ..; rm -r .matc-commit; echo precious >.matc-commit' 'move it away'
-refused 'cd ..; rm -r .matc-commit; mkfifo .matc-commit' 'move it away'
+refused 'echo { >intents'
+refused 'head -c 100 /dev/zero >intents'
+refused 'truncate -s 1T intents'
+refused 'mkdir intents'
+refused 'mkfifo intents'
+refused 'ln -s 0 intents'
 
 # -- one name from several threads: every material of a noise has the same tables
 

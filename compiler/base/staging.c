@@ -1,9 +1,9 @@
-/* Files wait in a folder within the folder (staging_folder.c), so that moving them is a rename, and a journal makes all the renames one
- * (staging_journal.c). The folder where they wait is made with the first file that differs from what is there: a run that changes
- * nothing writes nothing. */
+/* Stages files in a hidden folder within the output folder (staging_folder.c), so that moving them is
+ * a rename, and commits them so that a kill does not split them (staging_commit.c). The hidden folder is made
+ * with the first file that differs from what is there: a run that changes nothing writes nothing. */
 #include "compiler/base/staging.h"
 #include "compiler/base/sets.h"
-#include "compiler/base/staging_journal.h"
+#include "compiler/base/staging_commit.h"
 #include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -16,7 +16,7 @@
 
 typedef struct {
     Key hash;
-    bool waits; /* in the staging; else the folder has it already */
+    bool staged; /* else the folder has these bytes already */
     bool dropped, index;
 } StagedFile;
 
@@ -27,23 +27,33 @@ struct Staging {
     ino_t inode;
     unsigned how;
     bool new_folder; /* and nothing is in it yet */
-    bool made;       /* `waiting` is there */
-    bool begun;      /* its files are being moved */
-    Waiting waiting;
+    bool begun;      /* its intents are written */
+    Stage stage;
     StringSet names;
     StagedFile *files; /* by number of the name */
-    StringSet removed;
-    Steps steps;
-    int written;
-    pthread_mutex_t mutex, making; /* of what is here; of files being made */
+    StringSet stale;
+    Key *stale_hashes; /* by number of the stale name */
+    Bytes intents;
+    int moves, written;
+    pthread_mutex_t mutex; /* guards the members above */
+    pthread_mutex_t disk;  /* one thread at a time creates files: kernels serialize that anyway, and spin */
 };
+
+/* Finishes what ended processes left in the folder. */
+static const char *recover(int folder)
+{
+    const char *why = intents_lock(folder);
+    if (!why)
+        intents_unlock(folder);
+    return why;
+}
 
 Staging *staging_open(const char *path, unsigned how, const char **why)
 {
     struct stat info = {0};
     bool made = how & STAGING_new_folder && !mkdir(path, 0777);
     int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    *why = folder < 0 || fstat(folder, &info) ? text_error(errno) : steps_recover(folder);
+    *why = folder < 0 || fstat(folder, &info) ? text_error(errno) : recover(folder);
     if (*why) {
         if (folder >= 0)
             close(folder);
@@ -52,12 +62,11 @@ Staging *staging_open(const char *path, unsigned how, const char **why)
         return NULL;
     }
     Staging *s = sets_resize(NULL, sizeof *s);
-    *s = (Staging){.path = sets_copy(path), .folder = folder, .how = how, .new_folder = made};
+    *s = (Staging){.path = sets_copy(path), .folder = folder, .how = how, .new_folder = made, .stage = {folder, -1, ""}};
     s->device = info.st_dev;
     s->inode = info.st_ino;
     pthread_mutex_init(&s->mutex, NULL);
-    pthread_mutex_init(&s->making, NULL);
-    waiting_clean(folder);
+    pthread_mutex_init(&s->disk, NULL);
     return s;
 }
 
@@ -130,53 +139,42 @@ static const char *look(const Staging *s, const char *name, const void *bytes, s
     return NULL;
 }
 
-static const char *make_waiting(Staging *s)
-{
-    const char *why = s->made ? NULL : waiting_make(&s->waiting, s->folder);
-    s->made |= !why;
-    return why;
-}
-
-/* The number of a name, and whether a file of it waits already. */
-static int number_of(Staging *s, const char *name, bool *again)
+/* The number of a name. */
+static int number_of(Staging *s, const char *name)
 {
     bool added;
     pthread_mutex_lock(&s->mutex);
     int number = string_set_add(&s->names, name, &added);
     if (added) {
         s->files = sets_resize(s->files, (size_t)s->names.room * sizeof *s->files);
-        s->files[number] = (StagedFile){.dropped = true}; /* until it is known */
+        s->files[number] = (StagedFile){.dropped = true}; /* until it is written */
     }
-    *again = s->files[number].waits;
     pthread_mutex_unlock(&s->mutex);
     return number;
 }
 
-/* Kernels serialise the making of files anyway, and spin. */
-static const char *put_waiting(Staging *s, int number, bool again, const void *bytes, size_t size)
+static const char *stage_file(Staging *s, int number, const void *bytes, size_t size)
 {
-    char file[NUMBER_NAME];
-    step_file(file, number);
-    pthread_mutex_lock(&s->making);
-    const char *why = make_waiting(s);
-    if (!why && again)
-        unlinkat(s->waiting.at, file, 0);
+    char file[STAGED_NAME];
+    intent_file(file, number);
+    pthread_mutex_lock(&s->disk);
+    const char *why = s->stage.at < 0 ? stage_make(&s->stage, s->folder) : NULL;
     if (!why)
-        why = waiting_write(&s->waiting, file, bytes, size);
-    pthread_mutex_unlock(&s->making);
+        why = stage_write(&s->stage, file, bytes, size);
+    pthread_mutex_unlock(&s->disk);
     return why;
 }
 
 static const char *put(Staging *s, const char *name, const void *bytes, size_t size, bool index)
 {
-    bool equal, again;
+    bool equal;
     const char *why = look(s, name, bytes, size, &equal);
-    int number = why ? -1 : number_of(s, name, &again);
+    int number = why ? -1 : number_of(s, name);
     if (!why && !equal)
-        why = put_waiting(s, number, again, bytes, size);
+        why = stage_file(s, number, bytes, size);
     if (why)
         return why;
-    const StagedFile file = {.hash = key_of_bytes(bytes, size), .waits = !equal, .index = index};
+    const StagedFile file = {.hash = key_of_bytes(bytes, size), .staged = !equal, .index = index};
     pthread_mutex_lock(&s->mutex);
     s->files[number] = file;
     pthread_mutex_unlock(&s->mutex);
@@ -205,7 +203,7 @@ void staging_drop(Staging *s, const char *name)
 bool staging_holds(const Staging *s, const char *name)
 {
     int number = string_set_find(&s->names, name);
-    return number >= 0 && s->files[number].waits && !s->files[number].dropped;
+    return number >= 0 && s->files[number].staged && !s->files[number].dropped;
 }
 
 static int by_name(const void *a, const void *b)
@@ -224,6 +222,13 @@ StagingFile *staging_list(const Staging *s, int *count)
     return list;
 }
 
+static void add_stale(Staging *s, const char *name, Key hash)
+{
+    int number = string_set_add(&s->stale, name, NULL);
+    s->stale_hashes = sets_resize(s->stale_hashes, (size_t)s->stale.room * sizeof *s->stale_hashes);
+    s->stale_hashes[number] = hash;
+}
+
 const char *staging_remove(Staging *s, const char *name, Key hash, bool *stays)
 {
     Key now;
@@ -231,91 +236,90 @@ const char *staging_remove(Staging *s, const char *name, Key hash, bool *stays)
     *stays = false;
     if ((number >= 0 && !s->files[number].dropped) || strchr(name, '/'))
         return NULL; /* it is made again */
-    int error = waiting_hash(s->folder, name, &now);
+    int error = stage_hash(s->folder, name, &now);
     *stays = error == EINVAL || (!error && !key_equal(now, hash));
     if (!error && !*stays)
-        string_set_add(&s->removed, name, NULL);
+        add_stale(s, name, hash);
     return error && error != EINVAL && error != ENOENT ? text_error(error) : NULL;
 }
 
-/* The index last, and removals before it. */
-static void list_steps(Staging *s)
+static void add_move(Staging *s, int number)
 {
-    int count = s->names.count, last = -1;
-    s->steps.at = sets_resize(NULL, (size_t)(count + s->removed.count) * sizeof *s->steps.at);
-    for (int i = 0; i < count; i++) {
-        const StagedFile *file = &s->files[i];
-        if (file->waits && !file->dropped && file->index)
-            last = i;
-        else if (file->waits && !file->dropped)
-            s->steps.at[s->steps.count++] = (Step){STEP_put, i, file->hash, s->names.at[i]};
-    }
-    for (int i = 0; i < s->removed.count; i++)
-        s->steps.at[s->steps.count++] = (Step){.kind = STEP_remove, .number = count + i, .name = s->removed.at[i]};
-    if (last >= 0)
-        s->steps.at[s->steps.count++] = (Step){STEP_index, last, s->files[last].hash, s->names.at[last]};
+    intent_add(&s->intents, &(Intent){.kind = INTENT_put, .number = number, .name = s->names.at[number]});
+    s->moves++;
 }
 
-/* One file in one folder needs no journal. */
-static const char *move_one(const Staging *s)
+/* Lists what the commit is to do: the index goes first and comes last. Returns the number of changes. */
+static int list_intents(Staging *s)
 {
-    char file[NUMBER_NAME];
-    const Step *step = s->steps.at;
-    if (step->kind == STEP_remove)
-        return unlinkat(s->folder, step->name, 0) && errno != ENOENT ? text_error(errno) : NULL;
-    step_file(file, step->number);
-    return renameat(s->waiting.at, file, s->folder, step->name) ? text_error(errno) : NULL;
+    int index = -1;
+    for (int i = 0; i < s->names.count; i++)
+        if (s->files[i].index && s->files[i].staged && !s->files[i].dropped)
+            index = i;
+    if (index >= 0)
+        intent_add(&s->intents, &(Intent){.kind = INTENT_hide, .number = index, .name = s->names.at[index]});
+    for (int i = 0; i < s->names.count; i++)
+        if (s->files[i].staged && !s->files[i].dropped && i != index)
+            add_move(s, i);
+    for (int i = 0; i < s->stale.count; i++)
+        intent_add(&s->intents, &(Intent){.kind = INTENT_remove, .hash = s->stale_hashes[i], .name = s->stale.at[i]});
+    if (index >= 0)
+        add_move(s, index);
+    return s->moves + s->stale.count;
 }
 
-static const char *begin_and_do(Staging *s)
+/* Writes the list of intents. The folder is locked then. */
+static const char *begin(Staging *s)
 {
-    const char *why = make_waiting(s); /* it may have to remove alone */
+    const char *why = s->stage.at < 0 ? stage_make(&s->stage, s->folder) : NULL;
     if (!why)
-        why = steps_begin(&s->waiting, &s->steps);
+        why = intents_lock(s->folder);
     if (why)
         return why;
-    s->begun = true;
-    return steps_do(&s->waiting, &s->steps);
+    why = intents_write(&s->stage, &s->intents);
+    s->begun = !why;
+    if (why)
+        intents_unlock(s->folder);
+    return why;
 }
 
-/* After a failure. What cannot be undone now is left to the next run. */
-static void undo(Staging *s)
+/* Leaves the folder as it was. */
+static void withdraw(Staging *s)
 {
     if (!s->begun)
         return;
-    if (!steps_undo(&s->waiting, &s->steps) || !waiting_finish(&s->waiting))
-        waiting_leave(&s->waiting);
-    s->made = s->waiting.at >= 0;
+    intents_withdraw(&s->stage);
+    intents_unlock(s->folder);
     s->begun = false;
 }
 
-static const char *end(Staging *s)
+/* Carries the list out. A single rename needs none. */
+static const char *apply(Staging *s, int *done)
 {
-    const char *why = s->begun ? steps_end(&s->waiting) : NULL;
+    const char *why = intents_apply(&s->stage, &s->intents, NULL, done);
     if (why)
         return why;
+    if (s->begun)
+        intents_unlock(s->folder);
     s->begun = false;
-    for (int i = 0; i < s->steps.count; i++)
-        s->written += s->steps.at[i].kind != STEP_remove;
+    s->written += s->moves;
     s->new_folder &= !s->written;
     return NULL;
 }
 
+/* After a failure in the middle the lists stay, and the next run finishes them. */
 const char *staging_commit(Staging *const *stagings, int count)
 {
     const char *why = NULL;
-    int busy = 0;
-    for (int i = 0; i < count; i++) {
-        list_steps(stagings[i]);
-        busy += stagings[i]->steps.count;
-    }
+    int steps = 0, done = 0;
+    for (int i = 0; i < count; i++)
+        steps += list_intents(stagings[i]);
+    for (int i = 0; i < count && !why && steps > 1; i++)
+        why = stagings[i]->intents.size ? begin(stagings[i]) : NULL;
     for (int i = 0; i < count && !why; i++)
-        if (stagings[i]->steps.count)
-            why = busy == 1 ? move_one(stagings[i]) : begin_and_do(stagings[i]);
-    for (int i = 0; i < count && !why; i++)
-        why = end(stagings[i]);
-    for (int i = count - 1; i >= 0 && why; i--)
-        undo(stagings[i]);
+        why = apply(stagings[i], &done);
+    for (int i = 0; i < count && why && !done; i++)
+        withdraw(stagings[i]);
     return why;
 }
 
@@ -325,17 +329,18 @@ void staging_close(Staging *s)
 {
     if (!s)
         return;
-    if (s->made)
-        waiting_remove(&s->waiting);
+    if (s->stage.at >= 0)
+        s->begun ? stage_leave(&s->stage) : stage_remove(&s->stage);
     if (s->new_folder)
         rmdir(s->path);
     close(s->folder);
     pthread_mutex_destroy(&s->mutex);
-    pthread_mutex_destroy(&s->making);
-    free(s->steps.at);
+    pthread_mutex_destroy(&s->disk);
+    bytes_free(&s->intents);
+    free(s->stale_hashes);
     free(s->files);
     string_set_free(&s->names);
-    string_set_free(&s->removed);
+    string_set_free(&s->stale);
     free(s->path);
     free(s);
 }

@@ -1,10 +1,10 @@
-/* Folders where files wait: made, taken over, removed. All is opened below a folder that is open, and no link is followed. */
+/* Makes, takes over and removes staging folders. Every path is opened below a folder that is open,
+ * and no link is followed. */
 #include "compiler/base/staging_folder.h"
 #include "compiler/base/text.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -15,13 +15,12 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-enum { MOST_TRIES = 100, UNIQUE = 6, OWN = 0700, READABLE = 0666, CHUNK = 1 << 16 };
+enum { MAX_TRIES = 100, UNIQUE = 6, OWNER_ONLY = 0700, READABLE = 0666, CHUNK = 1 << 16 };
 
-const char waiting_commit[] = ".matc-commit";
-static const char waiting_prefix[] = ".matc-stage-", journal_name[] = "journal";
+static const char prefix[] = ".matc-stage-";
 
-/* A name that nobody can know before. */
-static void choose_name(char name[WAITING_NAME])
+/* Chooses a name that nobody can predict. */
+static void choose_name(char name[STAGE_NAME])
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
     uint64_t random;
@@ -30,177 +29,110 @@ static void choose_name(char name[WAITING_NAME])
         clock_gettime(CLOCK_MONOTONIC, &now);
         random = (uint64_t)getpid() << 32 ^ (uint64_t)now.tv_nsec;
     }
-    strcpy(name, waiting_prefix);
-    char *unique = name + sizeof waiting_prefix - 1;
+    strcpy(name, prefix);
+    char *unique = name + sizeof prefix - 1;
     for (int i = 0; i < UNIQUE; i++, random /= sizeof letters - 1)
         unique[i] = letters[random % (sizeof letters - 1)];
     unique[UNIQUE] = 0;
 }
 
-static bool is_waiting(const char *name)
+static bool is_stage(const char *name)
 {
-    return !strncmp(name, waiting_prefix, sizeof waiting_prefix - 1) &&
-           strlen(name) == sizeof waiting_prefix - 1 + UNIQUE;
+    return !strncmp(name, prefix, sizeof prefix - 1) && strlen(name) == sizeof prefix - 1 + UNIQUE;
 }
 
-void waiting_leave(Waiting *w)
-{
-    int error = errno;
-    if (w->journal >= 0)
-        close(w->journal);
-    if (w->at >= 0)
-        close(w->at);
-    w->journal = w->at = -1;
-    errno = error;
-}
-
-/* The folder still has its name: nobody who cleans up was faster than our lock. */
-static bool has_name(const Waiting *w)
+/* Opens and locks the staging folder. 0, or errno: EWOULDBLOCK if its process lives, ENOENT if it
+ * was removed before it was locked. */
+static int open_locked(Stage *s)
 {
     struct stat ours, there;
-    return !fstat(w->at, &ours) && !fstatat(w->folder, w->name, &there, AT_SYMLINK_NOFOLLOW) &&
-           ours.st_dev == there.st_dev && ours.st_ino == there.st_ino;
-}
-
-/* Opens the folder; 0, or errno. */
-static int open_folder(Waiting *w)
-{
-    struct stat info;
-    w->at = openat(w->folder, w->name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-    if (w->at < 0 || fstat(w->at, &info))
+    s->at = openat(s->folder, s->name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (s->at < 0 || fstat(s->at, &ours))
         return errno;
-    return info.st_uid == geteuid() ? 0 : EACCES; /* whoever may write to /tmp must not have us rename our files */
-}
-
-/* Opens the journal and locks it; 0, or errno: EWOULDBLOCK where somebody has it. */
-static int open_journal(Waiting *w, int how)
-{
-    struct stat info;
-    w->journal = openat(w->at, journal_name, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | how, READABLE);
-    if (w->journal < 0 || fstat(w->journal, &info))
+    if (ours.st_uid != geteuid())
+        return EACCES; /* in /tmp, others must not make us rename our files */
+    if (flock(s->at, LOCK_EX | LOCK_NB))
         return errno;
-    if (!S_ISREG(info.st_mode))
-        return EINVAL;
-    return flock(w->journal, LOCK_EX | LOCK_NB) ? errno : 0;
+    return fstatat(s->folder, s->name, &there, AT_SYMLINK_NOFOLLOW) || ours.st_dev != there.st_dev ||
+                   ours.st_ino != there.st_ino
+               ? ENOENT
+               : 0;
 }
 
-/* Makes the folder and what is in it; 0, or errno. Where there are no locks, nobody takes it away either. */
-static int make_once(Waiting *w)
+void stage_leave(Stage *s)
 {
-    choose_name(w->name);
-    if (mkdirat(w->folder, w->name, OWN))
-        return errno;
-    int error = open_folder(w);
-    if (!error)
-        error = open_journal(w, O_EXCL);
-    if (w->journal >= 0 && error != EWOULDBLOCK)
-        error = has_name(w) ? 0 : ENOENT;
-    if (error)
-        waiting_remove(w);
-    return error;
+    if (s->at >= 0)
+        close(s->at);
+    s->at = -1;
 }
 
-const char *waiting_make(Waiting *w, int folder)
+/* Opens the names in a folder for reading; NULL, if it cannot. */
+static DIR *list_names(int folder)
 {
-    int error = 0;
-    for (int i = 0; i < MOST_TRIES; i++) {
-        *w = (Waiting){.folder = folder, .at = -1, .journal = -1};
-        error = make_once(w);
-        if (error != EEXIST && error != ENOENT && error != EWOULDBLOCK) /* else somebody was faster */
-            break;
-    }
-    return error ? text_error(error) : NULL;
-}
-
-/* 0, or errno. */
-static int remove_link(int folder, const char *name)
-{
-    struct stat info;
-    if (fstatat(folder, name, &info, AT_SYMLINK_NOFOLLOW))
-        return errno;
-    if (!S_ISLNK(info.st_mode))
-        return ENOTDIR;
-    return unlinkat(folder, name, 0) ? errno : ENOENT;
-}
-
-/* What opening a folder and its journal says of a file, of a pipe or a socket, and of a journal that is a folder or a link. */
-static bool is_strange(int error)
-{
-    return error == ENOTDIR || error == EINVAL || error == ENXIO || error == EISDIR || error == ELOOP;
-}
-
-Taken waiting_take(Waiting *w, int folder, const char *name)
-{
-    *w = (Waiting){.folder = folder, .at = -1, .journal = -1};
-    snprintf(w->name, sizeof w->name, "%s", name);
-    int error = open_folder(w);
-    if (error == ENOTDIR || error == ELOOP)
-        error = remove_link(folder, name);
-    if (!error)
-        error = open_journal(w, 0);
-    if (!error && has_name(w))
-        return TAKEN;
-    waiting_leave(w);
-    return !error || error == ENOENT ? TAKEN_none : is_strange(error) ? TAKEN_strange : TAKEN_by_other;
-}
-
-bool waiting_rename(Waiting *w, const char *name)
-{
-    if (renameat(w->folder, w->name, w->folder, name))
-        return false;
-    snprintf(w->name, sizeof w->name, "%s", name);
-    return true;
-}
-
-bool waiting_finish(const Waiting *w) { return !ftruncate(w->journal, 0) || !unlinkat(w->at, journal_name, 0); }
-
-/* "journal", "N" or "N.old". */
-static bool is_own(const char *name)
-{
-    size_t digits = strspn(name, "0123456789");
-    return !strcmp(name, journal_name) || (digits && (!name[digits] || !strcmp(name + digits, ".old")));
-}
-
-/* What a network's disk calls a file that was removed and is still open; it goes by itself. */
-static bool is_removed(const char *name) { return !strncmp(name, ".nfs", 4); }
-
-bool waiting_remove(Waiting *w)
-{
-    bool strange = false;
-    int copy = w->at < 0 ? -1 : openat(w->at, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    DIR *dir = copy < 0 ? NULL : fdopendir(copy);
-    for (struct dirent *item = dir ? readdir(dir) : NULL; item; item = readdir(dir)) {
-        if (is_own(item->d_name))
-            unlinkat(w->at, item->d_name, 0);
-        else if (strcmp(item->d_name, ".") != 0 && strcmp(item->d_name, "..") != 0)
-            strange |= !is_removed(item->d_name);
-    }
-    if (dir)
-        closedir(dir);
-    else if (copy >= 0)
-        close(copy);
-    unlinkat(w->folder, w->name, AT_REMOVEDIR);
-    waiting_leave(w);
-    return !strange;
-}
-
-void waiting_clean(int folder)
-{
-    Waiting w;
     int copy = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    DIR *dir = copy < 0 ? NULL : fdopendir(copy);
-    for (struct dirent *item = dir ? readdir(dir) : NULL; item; item = readdir(dir))
-        if (is_waiting(item->d_name) && waiting_take(&w, folder, item->d_name) == TAKEN)
-            waiting_remove(&w);
-    if (dir)
-        closedir(dir);
-    else if (copy >= 0)
+    DIR *names = copy < 0 ? NULL : fdopendir(copy);
+    if (!names && copy >= 0)
         close(copy);
+    return names;
 }
 
-const char *waiting_put(int file, const void *bytes, size_t size)
+void stage_remove(Stage *s)
 {
-    for (const char *at = bytes; size;) {
+    DIR *names = s->at < 0 ? NULL : list_names(s->at);
+    for (struct dirent *item = names ? readdir(names) : NULL; item; item = readdir(names))
+        if (strcmp(item->d_name, ".") != 0 && strcmp(item->d_name, "..") != 0)
+            unlinkat(s->at, item->d_name, 0);
+    if (names)
+        closedir(names);
+    unlinkat(s->folder, s->name, AT_REMOVEDIR);
+    stage_leave(s);
+}
+
+/* Whether the error says that the file system has no locks: then nobody takes the folder away either. */
+static bool has_no_locks(int error) { return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EBADF; }
+
+const char *stage_make(Stage *s, int folder)
+{
+    int error = EEXIST;
+    for (int i = 0; i < MAX_TRIES && (error == EEXIST || error == ENOENT || error == EWOULDBLOCK); i++) {
+        *s = (Stage){.folder = folder, .at = -1};
+        choose_name(s->name);
+        if (mkdirat(folder, s->name, OWNER_ONLY)) {
+            error = errno;
+            continue;
+        }
+        error = open_locked(s);
+        if (!error || (s->at >= 0 && has_no_locks(error)))
+            return NULL;
+        stage_remove(s); /* also one that a cleaner locked first */
+    }
+    return text_error(error);
+}
+
+const char *stage_each_abandoned(int folder, const char *(*finish)(const Stage *stage))
+{
+    const char *why = NULL;
+    DIR *names = list_names(folder);
+    for (struct dirent *item = names ? readdir(names) : NULL; item && !why; item = readdir(names)) {
+        if (!is_stage(item->d_name))
+            continue;
+        Stage stage = {.folder = folder, .at = -1};
+        strcpy(stage.name, item->d_name);
+        if (!open_locked(&stage)) {
+            why = finish(&stage);
+            if (!why)
+                stage_remove(&stage);
+        }
+        stage_leave(&stage);
+    }
+    if (names)
+        closedir(names);
+    return why;
+}
+
+static const char *write_all(int file, const char *at, size_t size)
+{
+    while (size) {
         ssize_t got = write(file, at, size);
         if (got < 0 && errno == EINTR)
             continue;
@@ -212,24 +144,21 @@ const char *waiting_put(int file, const void *bytes, size_t size)
     return NULL;
 }
 
-const char *waiting_write(const Waiting *w, const char *name, const void *bytes, size_t size)
+const char *stage_write(const Stage *s, const char *name, const void *bytes, size_t size)
 {
-    const int how = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-    int file = openat(w->at, name, how, READABLE);
-    if (file < 0 && errno == EEXIST &&
-        !unlinkat(w->at, name, 0)) /* another thread's, of the same name: the later one stays */
-        file = openat(w->at, name, how, READABLE);
+    unlinkat(s->at, name, 0);
+    int file = openat(s->at, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, READABLE);
     if (file < 0)
         return text_error(errno);
-    const char *why = waiting_put(file, bytes, size);
+    const char *why = write_all(file, bytes, size);
     if (close(file) && !why)
         why = text_error(errno);
     if (why)
-        unlinkat(w->at, name, 0);
+        unlinkat(s->at, name, 0);
     return why;
 }
 
-int waiting_hash(int folder, const char *name, Key *hash)
+int stage_hash(int folder, const char *name, Key *hash)
 {
     struct stat info;
     XXH3_state_t state;

@@ -120,6 +120,50 @@ bool world_is(const World *w, const Bytes *tree, bool hidden)
     return equal;
 }
 
+/* The bytes of a file in a tree; NULL: it is not there. */
+static const char *in_tree(const Bytes *tree, const char *name, size_t *size)
+{
+    BytesReader from = {tree->at, tree->at + tree->size, false};
+    const char *found = NULL;
+    while (!found && from.at < from.end && !from.broken) {
+        const char *text = bytes_take_text(&from), *bytes = bytes_take_block(&from, size);
+        found = strcmp(text, name) ? NULL : bytes;
+    }
+    return found;
+}
+
+/* Every file of that tree is in the other with the same bytes. */
+static bool holds(const Bytes *tree, const Bytes *wanted)
+{
+    BytesReader from = {wanted->at, wanted->at + wanted->size, false};
+    bool all = true;
+    while (all && from.at < from.end && !from.broken) {
+        size_t size, there;
+        const char *name = bytes_take_text(&from), *bytes = bytes_take_block(&from, &size);
+        if (strncmp(name, "/out/", 5) != 0)
+            continue;
+        const char *found = in_tree(tree, name, &there);
+        all = found && bytes && there == size && !memcmp(found, bytes, size);
+    }
+    return all;
+}
+
+/* A manifest that is there tells what is there: it is the old one over all the old files, or the new one over all the new ones. */
+bool world_index_is_true(const World *w)
+{
+    char path[PATH_ROOM];
+    size_t size, before, after;
+    world_path(w, "now", path);
+    Bytes tree = world_tree(path, true);
+    const char *now = in_tree(&tree, "/out/manifest.json", &size), *old, *new;
+    old = in_tree(&w->before, "/out/manifest.json", &before);
+    new = in_tree(&w->after, "/out/manifest.json", &after);
+    bool fine = !now || (old && before == size && !memcmp(now, old, size) && holds(&tree, &w->before)) ||
+                (new &&after == size && !memcmp(now, new, size) && holds(&tree, &w->after));
+    bytes_free(&tree);
+    return fine;
+}
+
 /* Names of what is in the folder now, for a report. */
 static void show(const World *w)
 {

@@ -24,7 +24,9 @@ typedef struct {
     Bytes before, after;     /* the folder as it was before the run, and as it should be after it */
     char *calls[MOST_CALLS]; /* names, in their order, from 1 */
     long call_count;
-    int wrong, left;
+    int wrong;
+    int left;   /* runs that succeeded and left something to remove */
+    int halves; /* runs that failed among their moves */
 } World;
 
 /* Where a scenario was struck: at its n-th call. */
@@ -56,6 +58,8 @@ void world_path(const World *w, const char *name, char path[PATH_ROOM]);
 Bytes world_tree(const char *path, bool hidden);
 /* "now" is such a tree. */
 bool world_is(const World *w, const Bytes *tree, bool hidden);
+/* A manifest that is there lists what is there: all of the old files, or all of the new ones. */
+bool world_index_is_true(const World *w);
 /* A call's name is in a list, which ends with NULL. */
 bool call_is_one_of(const char *name, const char *const *names);
 #endif
