@@ -133,6 +133,17 @@ for way in "" -Wno-unquoted_color -Werror; do
     check "and then: $way" status "$([ "$way" = -Werror ]; echo $((1 - $?)))" $fast $way -d "$work/w" --cache "$work/wc" "$work/doubtful.yaml"
     check "it says the same" same "$work/first" "$work/stderr"
 done
+printf 'material: Phong\ndiffuse: "#808080"\n' >"$work/hex.yaml"
+check "hex colours without colors: are advised about" status 0 $fast "$work/hex.yaml"
+check "in a note" says 'hex.yaml:2:10: note: .*`colors: srgb`.* \[-Wlinear_colors\]$'
+check "which is no error" status 0 $fast -Werror "$work/hex.yaml"
+check "is given once" test "$(grep -c note: "$work/stderr")" = 1
+check "is silent by -Wno-linear_colors" status 0 $fast -Wno-linear_colors "$work/hex.yaml"
+check "says nothing" test ! -s "$work/stderr"
+check "nor in a batch" status 0 $fast "$work/hex.yaml" -d "$work/hexes"
+check "says nothing" test ! -s "$work/stderr"
+check "unless it is named" status 0 $fast -Wlinear_colors "$work/hex.yaml" -d "$work/hexes"
+check "says so" says 'note: '
 check "a warning that is none is wrong usage" status 2 $fast -Wno-unquoted_colour "$work/doubtful.yaml"
 check "which suggests" says "^matc: -W: there is no 'unquoted_colour', but unquoted_color, .*; did you mean 'unquoted_color'"
 # Whatever is wrong, standard error is nothing but JSON

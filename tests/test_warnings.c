@@ -74,6 +74,104 @@ static void settings_count(void **state)
     }
 }
 
+/* Advice about hex colors: where it is given, in how many notes, and where it is not. */
+static const struct {
+    const char *settings, *text;
+    int notes, line; /* line: of the first */
+} advised[] = {
+    {"linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
+    {"linear-colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
+    {"linear_colors", "material: Phong\ndiffuse: \"#123\"\nspecular: \"#808080\"\n", 1, 2},
+    {"linear_colors", "material: Phong\ndiffuse: { param: tint, default: \"#80808080\" }\n", 1, 2},
+    {"linear_colors", "material: Phong\nspecular: .5\ndiffuse: \"= mix(#fff, #808080, u)\"\n", 1, 3},
+    {"linear_colors", "material: Phong\ndiffuse: \"= attribute(\\\"tint\\\", vec3, #808080)\"\n", 1, 2},
+    {"linear_colors", "defs:\n  grey: \"#808080\"\nmaterial: Phong\ndiffuse: { ref: grey }\n", 1, 2},
+    {"error,linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
+    {"linear_colors,error", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
+    {"linear_colors,error=linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
+    /* near misses: it is off, the file says what its colors are, or both readings are the same light */
+    {NULL, "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
+    {"", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
+    {"error", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
+    {"error=linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
+    {"no-unquoted_color", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
+    {"linear_colors,no-linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
+    {"linear_colors", "material: Phong\ndiffuse: \"#808080\"\ncolors: linear\n", 0, 0},
+    {"linear_colors", "colors: srgb\nmaterial: Phong\ndiffuse: \"#808080\"\n", 0, 0},
+    {"linear_colors", "colors: srgb\nmaterial: Phong\ndiffuse: \"= mix(#808080, #fff, u)\"\n", 0, 0},
+    {"linear_colors", "material: Phong\ndiffuse: \"#ff00ff\"\nspecular: \"#000\"\n", 0, 0},
+    {"linear_colors", "material: Phong\ndiffuse: \"#ff00ff80\"\n", 0, 0},
+    {"linear_colors", "material: Phong\ndiffuse: linear(#808080)\nspecular: \"srgb(#808080)\"\n", 0, 0},
+    {"linear_colors", "material: Phong\ndiffuse: gray\nspecular: [0.2, 0.3, 0.4]\nshininess: 0.5\n", 0, 0},
+};
+
+static void advice_is_a_note(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof advised / sizeof *advised; i++) {
+        char line[64];
+        MatcOptions options;
+        matc_options_init(&options);
+        options.warnings = advised[i].settings;
+        MatcDocument *document = matc_read("a.yaml", advised[i].text, strlen(advised[i].text), &options);
+        const char *json = matc_diagnostics(document, MATC_JSON);
+        print_message("%s: %s%s", advised[i].settings ? advised[i].settings : "none", advised[i].text, json);
+        assert_int_equal(matc_material_count(document), 1);
+        assert_int_equal(matc_error_count(document), 0);
+        assert_int_equal(count(json, "\"kind\": \"linear_colors\""), advised[i].notes);
+        assert_int_equal(count(json, "\"severity\": \"note\", \"kind\": \"linear_colors\""), advised[i].notes);
+        snprintf(line, sizeof line, "\"line\": %d,", advised[i].line);
+        assert_int_equal(count(json, line), advised[i].notes);
+        matc_document_free(document);
+    }
+}
+
+/* Both readings of a byte of 128, IEC 61966-2-1: 128 / 255, and ((128 / 255 + .055) / 1.055)^2.4. A warning of an
+ * earlier line comes first, and advice is not taken for a note about it. */
+static void advice_says_both_readings(void **state)
+{
+    static const char text[] = "material: Phong\ndiffuse: \"#808080\"\ntransparency: #ff0000\nspecular: #ff0000\n";
+    (void)state;
+    MatcOptions options;
+    matc_options_init(&options);
+    options.warnings = "linear_colors";
+    MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
+    const char *said = matc_diagnostics(document, MATC_TEXT);
+    const char *advice = strstr(said, "a.yaml:2:10: note: "), *third = strstr(said, "a.yaml:3:"), *fourth = strstr(said, "a.yaml:4:");
+    assert_non_null(advice);
+    assert_non_null(strstr(advice, "'#808080' is [0.502, 0.502, 0.502]; write `colors: srgb`"));
+    assert_non_null(strstr(advice, "[0.216, 0.216, 0.216], or else `colors: linear` [-Wlinear_colors]"));
+    assert_true(advice < third && third < fourth);
+    matc_document_free(document);
+}
+
+/* Each file speaks for itself: the palette has no `colors:`, the document that includes it has. */
+static char *palette_file(void *user, const char *path, size_t *size, const char **why)
+{
+    static const char palette[] = "defs: { grey: \"#808080\" }\n";
+    (void)user, (void)path, (void)why;
+    char *text = malloc(sizeof palette);
+    assert_non_null(text);
+    memcpy(text, palette, *size = sizeof palette - 1);
+    text[*size] = 0;
+    return text;
+}
+
+static void advice_is_by_file(void **state)
+{
+    static const char text[] = "include: palette.yaml\ncolors: srgb\nmaterial: Phong\ndiffuse: { ref: grey }\nspecular: \"#404040\"\n";
+    (void)state;
+    MatcOptions options;
+    matc_options_init(&options);
+    options.warnings = "linear_colors";
+    options.read_file = palette_file;
+    MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
+    const char *said = matc_diagnostics(document, MATC_TEXT);
+    assert_int_equal(count(said, "note: "), 1);
+    assert_non_null(strstr(said, "palette.yaml:1:15: note: hex colours"));
+    matc_document_free(document);
+}
+
 /* Errors stay errors whatever is set, and a warning of a name that no warning has is a fault of the options. */
 static void only_warnings_have_settings(void **state)
 {
@@ -137,6 +235,8 @@ static void a_page_lists_them(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(settings_count), cmocka_unit_test(only_warnings_have_settings),
-                                       cmocka_unit_test(programs_have_them), cmocka_unit_test(a_page_lists_them)};
+                                       cmocka_unit_test(programs_have_them),
+                                       cmocka_unit_test(advice_is_a_note), cmocka_unit_test(advice_says_both_readings),
+                                       cmocka_unit_test(advice_is_by_file), cmocka_unit_test(a_page_lists_them)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

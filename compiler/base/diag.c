@@ -14,6 +14,11 @@ const DiagRow diag_table[DIAG_COUNT] = {
 
 static const char *const severity_name[] = {"note", "warning", "error"};
 
+bool diag_is_named(DiagKind kind)
+{
+    return diag_table[kind].severity == SEVERITY_warning || diag_table[kind].severity == SEVERITY_advice;
+}
+
 /* "no map is called '%s'%s" -> "no map is called '%.256s'%.256s", since names are as long as a document likes; glslang's log stays. */
 void diag_message(Text *out, DiagKind kind, va_list args)
 {
@@ -86,7 +91,7 @@ static void put_message(Text *out, const Diag *diag)
         text_char(out, '\n');
     }
     text_visible(out, at, strlen(at));
-    if (diag_table[diag->kind].severity == SEVERITY_warning)
+    if (diag_is_named(diag->kind))
         text_format(out, " [-W%s%s]", diag->severity == SEVERITY_error ? "error=" : "", diag_table[diag->kind].name);
     text_char(out, '\n');
 }

@@ -6,7 +6,8 @@
 #include "compiler/matc.h"
 #include <stdbool.h>
 
-typedef enum { SEVERITY_note, SEVERITY_warning, SEVERITY_error, SEVERITY_none } Severity; /* none: not said */
+/* advice: of rows alone, a note that is off until a setting names it; none: not reported. */
+typedef enum { SEVERITY_note, SEVERITY_warning, SEVERITY_error, SEVERITY_advice, SEVERITY_none } Severity;
 
 typedef enum {
 #define DIAG(name, severity, format, doc) DIAG_##name,
@@ -40,6 +41,8 @@ typedef struct {
 } DiagRow;
 extern const DiagRow diag_table[DIAG_COUNT];
 
+/* Warnings and advice have a name that settings may give; errors and the notes about them have none. */
+bool diag_is_named(DiagKind kind);
 /* The message of a kind, its format's arguments being these. Of names and texts of the document it has the first LIMIT_QUOTE bytes. */
 void diag_message(Text *out, DiagKind kind, va_list args);
 /* Puts what has been said in the order of files and lines, a note behind what it is of; what is in no file comes last. */

@@ -48,10 +48,13 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
     return NULL;
 }
 
+/* A note about the diagnostic before it; advice stands for itself. */
+static bool is_of_another(const Diag *diag) { return diag_table[diag->kind].severity == SEVERITY_note; }
+
 /* Where the one that a note is of stands: itself, of another. */
 static size_t head_of(const DiagList *diags, size_t i)
 {
-    while (i > 0 && diags->at[i].severity == SEVERITY_note)
+    while (i > 0 && is_of_another(&diags->at[i]))
         i--;
     return i;
 }
@@ -66,7 +69,7 @@ void diag_sort(DiagList *diags)
 {
     Diag moved[MOST_DIAGS];
     for (size_t i = 0, end; i < diags->count; i = end) {
-        for (end = i + 1; end < diags->count && diags->at[end].severity == SEVERITY_note;)
+        for (end = i + 1; end < diags->count && is_of_another(&diags->at[end]);)
             end++;
         size_t to = i;
         while (to > 0 && comes_before(&diags->at[i], &diags->at[head_of(diags, to - 1)]))

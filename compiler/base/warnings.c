@@ -1,7 +1,8 @@
 /* Settings of warnings: NAME, no-NAME, error, no-error, error=NAME, no-error=NAME, with commas between. The last one that
  * speaks of a warning counts.
  *
- *     no-unordered_items,error    unordered_items is not said, every other warning is an error */
+ *     no-unordered_items,error    unordered_items is not said, every other warning is an error
+ *     linear_colors               advice, which is off until it is named */
 #include "compiler/base/warnings.h"
 #include <string.h>
 
@@ -48,10 +49,11 @@ static bool has_name(const Setting *setting, const char *name)
 Severity warnings_severity(const char *settings, DiagKind kind)
 {
     const DiagRow *row = &diag_table[kind];
-    bool said = true, error = false;
-    if (row->severity != SEVERITY_warning || !settings)
+    const bool advice = row->severity == SEVERITY_advice;
+    bool said = !advice, error = false;
+    if (!diag_is_named(kind))
         return row->severity;
-    for (size_t size; *settings; settings += size + (settings[size] == ',')) {
+    for (size_t size; settings && *settings; settings += size + (settings[size] == ',')) {
         size = strcspn(settings, ",");
         const Setting setting = read_setting(settings, size);
         if (setting.name && !has_name(&setting, row->name))
@@ -61,14 +63,14 @@ Severity warnings_severity(const char *settings, DiagKind kind)
         else
             said = !setting.no;
     }
-    return !said ? SEVERITY_none : error ? SEVERITY_error : SEVERITY_warning;
+    return !said ? SEVERITY_none : advice ? SEVERITY_note : error ? SEVERITY_error : SEVERITY_warning;
 }
 
 const char *warnings_name(const void *user, int i)
 {
     (void)user;
     for (int kind = 0; kind < DIAG_COUNT; kind++)
-        if (diag_table[kind].severity == SEVERITY_warning && i-- == 0)
+        if (diag_is_named((DiagKind)kind) && i-- == 0)
             return diag_table[kind].name;
     return NULL;
 }

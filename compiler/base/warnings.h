@@ -3,10 +3,11 @@
 #define MATC_WARNINGS_H
 #include "compiler/base/diag.h"
 
-/* Of a kind of diags.def by settings such as "no-unordered_items,error" (NULL: none); SEVERITY_none: not said. */
+/* Of a kind of diags.def by settings such as "no-unordered_items,error" (NULL: none); SEVERITY_none: not said. Advice
+ * is a note where a setting names it, and never an error. */
 Severity warnings_severity(const char *settings, DiagKind kind);
 /* The first setting that means nothing, in place; NULL if there is none. *size: its length. */
 const char *warnings_fault(const char *settings, size_t *size);
-/* The i-th warning of diags.def, NULL behind the last; for suggestions. */
+/* The i-th name that settings may give, NULL behind the last; for suggestions. */
 const char *warnings_name(const void *user, int i);
 #endif

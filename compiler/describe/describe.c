@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const severity_names[] = {"note", "warning", "error"};
+const char *const severity_names[] = {"note", "warning", "error", "note, off by default"};
 
 const char *describe_type(const ParamRow *param)
 {

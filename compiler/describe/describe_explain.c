@@ -286,9 +286,10 @@ static void explain_warnings(const Query *q)
         q->out,
         "warnings (diagnostics that end nothing)\n"
         "-Wno-NAME: it is not said. -Werror=NAME: it is an error. -Werror: all are. The last option that speaks of a\n"
-        "warning counts; -WNAME and -Wno-error=NAME take back what one before them said. All are said by default.\n\n");
+        "warning counts; -WNAME and -Wno-error=NAME take back what one before them said. All are said by default, but\n"
+        "linear_colors: a note, never an error, which matc gives for single documents, and otherwise where it is named.\n\n");
     for (int i = 0; i < DIAG_COUNT; i++)
-        if (diag_table[i].severity == SEVERITY_warning)
+        if (diag_is_named((DiagKind)i))
             text_format(q->out, "  %-20s  %s\n", diag_table[i].name, diag_table[i].doc);
 }
 

@@ -106,7 +106,7 @@ static void list_warnings(Text *out)
 {
     put_heading(out, "Warnings (-Wno-NAME, -Werror=NAME)");
     for (int i = 0; i < DIAG_COUNT; i++)
-        if (diag_table[i].severity == SEVERITY_warning)
+        if (diag_is_named((DiagKind)i))
             put_line(out, diag_table[i].name, diag_table[i].doc);
 }
 

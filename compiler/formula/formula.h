@@ -65,6 +65,8 @@ typedef struct {
     uint32_t size;
     bool srgb; /* colours of it are */
     void *user;
+    /* Receives each hex color and its lanes, before `srgb` decodes them; NULL: nobody does. */
+    void (*color)(void *user, uint32_t start, uint32_t end, const double *lanes);
     /* Where bytes of the text stand in the source. */
     Span (*span)(void *user, uint32_t start, uint32_t end);
     /* An input by its name, and its width; FORMULA_UNKNOWN; FORMULA_SAID: it is one, and has a fault that was reported. */

@@ -53,11 +53,12 @@ int formula_color(const FormulaSource *s, const Token *token, double color[4])
     const char *digits = s->text + token->start + 1;
     const uint32_t size = formula_token_size(*token) - 1;
     const int each = size == 3 ? 1 : 2, lanes = size == 8 ? 4 : 3;
-    for (int i = 0; i < lanes; i++) {
+    for (int i = 0; i < lanes; i++)
         color[i] = (text_hex_digit(digits[i * each]) * 16 + text_hex_digit(digits[i * each + each - 1])) / 255.0;
-        if (s->srgb && i < 3)
-            color[i] = srgb_decode(color[i]);
-    }
+    if (s->color)
+        s->color(s->user, token->start, token->end, color);
+    for (int i = 0; s->srgb && i < 3; i++)
+        color[i] = srgb_decode(color[i]);
     return lanes;
 }
 

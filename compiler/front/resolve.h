@@ -11,6 +11,9 @@ typedef struct {
     Value *colorspace, *texels;
 } UndecidedPicture;
 
+/* What the `colors:` line of a file says: without one, hex colours are linear light, and authors are advised to say so. */
+typedef enum { FILE_COLORS_undeclared, FILE_COLORS_linear, FILE_COLORS_srgb } FileColors;
+
 /* What uses of definitions with parameters stand for. resolve_definition.c */
 typedef struct Expansion Expansion;
 
@@ -33,8 +36,8 @@ typedef struct {
     Names broken_paths;   /* of pictures that cannot be had, and what is wrong with them */
     const char **broken;
     size_t broken_room;
-    bool *srgb_files; /* by source: its colours are sRGB; those beyond the room are linear */
-    size_t srgb_room;
+    unsigned char *file_colors; /* FileColors by source; undeclared beyond the room */
+    size_t file_color_room;
     UndecidedPicture *undecided;
     size_t undecided_count, undecided_room;
     int node_count;
@@ -103,6 +106,8 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value);
 bool resolve_color_space(Resolver *r, const Tree *document);
 /* What stands in that source is sRGB where nothing else is said. */
 bool resolve_is_srgb(const Resolver *r, uint32_t file);
+/* Advises, once for each file without `colors:`, about a hex color that stands there, "#ff8800" with these lanes. */
+void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *lanes);
 /* NULL for null. resolve_wave.c */
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
 /* resolve_transform.c */

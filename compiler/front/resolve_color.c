@@ -4,11 +4,19 @@
 #include "compiler/front/mistake.h"
 #include "runtime/library/srgb.h"
 #include "compiler/base/text.h"
+#include "compiler/base/warnings.h"
 #include <string.h>
+
+enum { ADVISED_DIGITS = 3 }; /* behind the point of a number in advice */
 
 static const char *const space_names[] = {"linear", "srgb"};
 
-bool resolve_is_srgb(const Resolver *r, uint32_t file) { return file < r->srgb_room && r->srgb_files[file]; }
+static FileColors file_colors(const Resolver *r, uint32_t file)
+{
+    return file < r->file_color_room ? (FileColors)r->file_colors[file] : FILE_COLORS_undeclared;
+}
+
+bool resolve_is_srgb(const Resolver *r, uint32_t file) { return file_colors(r, file) == FILE_COLORS_srgb; }
 
 bool resolve_color_space(Resolver *r, const Tree *document)
 {
@@ -20,12 +28,54 @@ bool resolve_color_space(Resolver *r, const Tree *document)
         if (strcmp(name->text, space_names[srgb]) != 0)
             continue;
         const uint32_t file = name->span.file;
-        r->srgb_files = arena_reach(r->session->arena, r->srgb_files, file, &r->srgb_room, sizeof *r->srgb_files);
-        r->srgb_files[file] = srgb;
+        r->file_colors =
+            arena_reach(r->session->arena, r->file_colors, file, &r->file_color_room, sizeof *r->file_colors);
+        r->file_colors[file] = (unsigned char)(srgb ? FILE_COLORS_srgb : FILE_COLORS_linear);
         return true;
     }
     diag_add(r->session, name->span, DIAG_wrong_type, "colors", "linear or srgb", tree_describe(r->session, name));
     return false;
+}
+
+/* -- Advice about hex colors without `colors:` */
+
+/* Lanes of 0 and 1 are the same light in both spaces. */
+static bool is_pure(const double *lanes)
+{
+    bool pure = true;
+    for (int lane = 0; lane < 3; lane++)
+        pure &= lanes[lane] == 0 || lanes[lane] == 1;
+    return pure;
+}
+
+static bool is_advised(const Session *session, uint32_t file)
+{
+    for (size_t i = 0; i < session->diags.count; i++)
+        if (session->diags.at[i].kind == DIAG_linear_colors && session->diags.at[i].span.file == file)
+            return true;
+    return false;
+}
+
+/* "[0.91, 0.878, 0.8]" */
+static const char *three_lanes(Session *session, const double *lanes, bool srgb)
+{
+    Text list = text_new(session->arena);
+    for (int lane = 0; lane < 3; lane++) {
+        text_put(&list, lane ? ", " : "[");
+        text_rounded(&list, srgb ? srgb_decode(lanes[lane]) : lanes[lane], ADVISED_DIGITS);
+    }
+    text_put(&list, "]");
+    return list.at;
+}
+
+void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *lanes)
+{
+    Session *session = r->session;
+    const bool off = warnings_severity(session_warnings(session), DIAG_linear_colors) == SEVERITY_none;
+    if (off || file_colors(r, span.file) != FILE_COLORS_undeclared || is_pure(lanes) || is_advised(session, span.file))
+        return;
+    diag_add(session, span, DIAG_linear_colors, hex, three_lanes(session, lanes, false),
+             three_lanes(session, lanes, true));
 }
 
 static const char *color_name(const void *user, int i)
@@ -90,6 +140,8 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value)
     }
     if (text[0] != '#' && !named_color(r, tree, text, value))
         return false;
+    if (text == tree->text && text[0] == '#')
+        resolve_advise_colors(r, tree->span, text, value->number);
     for (int lane = 0; srgb && lane < 3; lane++) /* alpha is a share, and no light */
         value->number[lane] = srgb_decode(value->number[lane]);
     value->color = true;

@@ -192,6 +192,13 @@ static void say_hash(const Inputs *in)
         diag_add(in->r->session, (Span){at, at + 1, span.file}, DIAG_hash_formula);
 }
 
+static void advise_color(void *user, uint32_t start, uint32_t end, const double *lanes)
+{
+    const Inputs *in = user;
+    const char *hex = arena_string(in->r->session->arena, in->text->text + in->skipped + start, end - start);
+    resolve_advise_colors(in->r, place(user, start, end), hex, lanes);
+}
+
 static const Formula *read_formula(Inputs *in)
 {
     const Tree *text = in->text;
@@ -202,6 +209,7 @@ static const Formula *read_formula(Inputs *in)
         .size = text->count - in->skipped,
         .srgb = resolve_is_srgb(in->r, text->span.file),
         .user = in,
+        .color = advise_color,
         .span = place,
         .input = find_input,
         .attribute = find_attribute,

@@ -220,8 +220,8 @@ void scene_check(const Resolver *r, const Tree *document)
                             .defs = r->defs,
                             .def_count = r->def_count,
                             .lacks_file = r->lacks_file,
-                            .srgb_files = r->srgb_files,
-                            .srgb_room = r->srgb_room};
+                            .file_colors = r->file_colors,
+                            .file_color_room = r->file_color_room};
     c.materials = materials && materials->value->kind == TREE_object ? materials->value : NULL;
     c.defs = defs && defs->value->kind == TREE_object ? defs->value : NULL;
     for (uint32_t i = 0; i < document->count; i++) {

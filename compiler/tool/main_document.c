@@ -185,6 +185,17 @@ static int write_tree(const CommandLine *line, MatcDocument *document)
     return why ? main_complain(line, path, why) : FINE;
 }
 
+/* The options of the command line, and advice, which libraries and batches are spared; -Wno-linear_colors comes later. */
+static MatcOptions with_advice(const CommandLine *line, Arena *arena)
+{
+    MatcOptions options = line->compile;
+    const char *given = options.warnings;
+    Text settings = text_new(arena);
+    text_format(&settings, "%s%s%s", diag_table[DIAG_linear_colors].name, given ? "," : "", given ? given : "");
+    options.warnings = settings.at;
+    return options;
+}
+
 int main_document(const CommandLine *line, const char *path)
 {
     size_t size;
@@ -194,7 +205,9 @@ int main_document(const CommandLine *line, const char *path)
         watch_list_add(line->watched, path);
     if (!text)
         return main_complain(line, path, why);
-    MatcDocument *document = matc_read(file_document_name(path), text, size, &line->compile);
+    Arena settings = {0};
+    const MatcOptions options = with_advice(line, &settings);
+    MatcDocument *document = matc_read(file_document_name(path), text, size, &options);
     free(text);
     fputs(matc_diagnostics(document, line->diagnostics), stderr);
     for (int i = 0; line->watched && i < matc_depend_count(document); i++)
@@ -206,5 +219,6 @@ int main_document(const CommandLine *line, const char *path)
     else if (!matc_error_count(document))
         status = write_tree(line, document);
     matc_document_free(document);
+    arena_free(&settings);
     return status;
 }
