@@ -179,8 +179,9 @@ bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache)
         const Spaces own = spaces_of(source, cache->planes[i].object);
         spaces_set(&own, &cache->planes[i].material);
     }
+    const Spaces sky = view_space_of_sky(source->space);
     if (cache->has_sky)
-        spaces_set(spaces, &cache->sky);
+        spaces_set(&sky, &cache->sky);
     find_seen(gl, source, cache);
     return true;
 }

@@ -69,6 +69,14 @@ void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_
            sizeof made->depth);
 }
 
+Spaces view_space_of_sky(const ViewSpace *space)
+{
+    Spaces spaces = space->spaces;
+    if (space->depth[1] > 0)
+        spaces.clip_from_eye.m[10] = -spaces.clip_from_eye.m[10];
+    return spaces;
+}
+
 void view_space_place(ViewSpace *space, const int size[2], const int at[2])
 {
     for (int i = 0; i < 2; i++)

@@ -208,7 +208,8 @@ bool light_sky_make(Render *render)
         gl->GenerateMipmap(GL_TEXTURE_CUBE_MAP);
         make_numbers(moments, render->light.sky.irradiance);
     }
-    spaces_set(&render->space.spaces, &render->cache.sky);
+    const Spaces seen = view_space_of_sky(&render->space);
+    spaces_set(&seen, &render->cache.sky);
     framebuffer_delete(gl, &target);
     free(moments);
     free(rgba);
