@@ -53,7 +53,7 @@ set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics
   test_frame_bisection test_frame_bisection_lights test_frame_bisection_moves test_frame_cast test_frame_cycles
   test_frame_displaced test_frame_glass test_frame_coplanar test_frame_history test_frame_hybrid test_frame_indirect_truth test_frame_lights test_frame_many
   test_frame_meshes test_frame_moved test_frame_moving test_frame_radiance test_frame_shade test_frame_silhouette test_frame_soft test_frame_views
-  test_frame_volume_cells)
+  test_frame_volume_cells test_light_cells)
 # A program of tests, and what some of them need beside
 function(matc_test_program program)
   add_executable(${program} ${ARGN})
@@ -163,7 +163,7 @@ foreach(name test_mended test_gl_egl)
 endforeach()
 
 # Most of their time goes to the compiler of Mesa's software driver. Without its optimisations they take some two thirds, and draw the same bits.
-set(COMPILING test_emit test_frame_cast test_frame_glass test_value)
+set(COMPILING test_emit test_frame_cast test_frame_glass test_light_cells test_value)
 foreach(name ${COMPILING})
   if(TEST ${name})
     set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT GALLIVM_PERF=nopt)
