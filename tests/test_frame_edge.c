@@ -27,8 +27,8 @@ static double encoded(double c) { return c <= .0031308 ? 12.92 * c : 1.055 * pow
 typedef struct {
     const char *name, *text;
     double colors[5][3]; /* of each object, the sky's last; linear, mapped */
-    double most;         /* RMSE of what edges run through */
-    int spoiled;         /* other pixels, at most */
+    double most;         /* RMSE of what edges run through: 1.03 to 1.1 times what is seen */
+    int spoiled;         /* other pixels, at most: one or two more than are seen */
 } EdgeCase;
 
 static const EdgeCase cases[] = {
@@ -42,8 +42,8 @@ static const EdgeCase cases[] = {
                                                                       "rotation: [.3, .4, .5] } }\n"
                                                                       "sky: { material: RGBA, r: 0, g: 0, b: 0 }\n",
      {{1, 1, 1}, {.125, .5, .875}, {.875, .5, .125}, {0}},
-     .02,
-     4},
+     .0125,
+     2},
     {"horizon, what stands on a plane, a cone's tip",
      CAMERA "objects:\n- { object: Plane, " GLOWS(
          "[.25, .5, .125]") " }\n"
@@ -55,13 +55,13 @@ static const EdgeCase cases[] = {
                                                                   "sky: { material: RGBA, r: .25, g: .5, b: 1 }\n",
      {{.25, .5, .125}, {.75, 0, 0}, {1, 1, .25}, {.25, .5, 1}},
      .02,
-     4},
+     3},
     {"a lamp: 64 times what is white", /* blended before it is mapped, nearly all of the edge would be white */
      CAMERA
      "objects: [{ object: Sphere, " GLOWS("[64, 64, 64]") " }]\nsky: { material: RGBA, r: .125, g: .125, b: .125 }\n",
      {{1, 1, 1}, {.125, .125, .125}},
-     .02,
-     4},
+     .0085,
+     1},
     {"orthographic, mirrored",
      "image: { width: 240, height: 160 }\ncamera: { camera: Orthographic, position: [.5, -6, 2.5], size: 3, depth: 20 "
      "}\n"
@@ -70,8 +70,8 @@ static const EdgeCase cases[] = {
                          "- { object: Sphere, radius: .5, " GLOWS(
                              "[0, 1, 1]") ", transform: { translation: [1.5, 0, 0], scale: [1, -1, 1.2] } }\n",
      {{.5, .25, 0}, {0, 1, 1}, {0}},
-     .02,
-     4},
+     .0165,
+     3},
     {"arches: outlines that a volume hides itself, beside those that it shows",
      "image: { width: 240, height: 160 }\ncamera: { camera: Perspective, position: [-.6, -6.2, 1.1], target: [-1, 0, "
      ".7], "
@@ -84,8 +84,8 @@ static const EdgeCase cases[] = {
      "[-.3, .05 * rough, gate > 0 ? 1.3 * sqrt(gate) : -.2, top]' } }\n"
      "sky: { material: RGBA, r: 0, g: 0, b: .25 }\n",
      {{.875, .5, .125}, {0, 0, .25}},
-     .045,
-     60},
+     .0435,
+     57},
 };
 
 /* The mean of what the samples of a pixel show, as sRGB; true: they do not all show the same. */

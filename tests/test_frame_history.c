@@ -63,7 +63,7 @@ static void sets_are_averaged(void **state)
         draw_alone("filter: none", views[i], single);
         const double off = apart(some, all), first = apart(single, all);
         print_message("%s of 8 rays is %.4f off, of 16 sets of them %.4f\n", views[i], first, off);
-        assert_true(first > .004 && off < .6 / 4 * first);
+        assert_true(first > .004 && off < .55 / 4 * first);
         open_rig(&one, "filter: none, history: 16", views[i]);
         for (int k = 0; k < 16; k++)
             frame_running_draw(&one);
@@ -93,7 +93,7 @@ static void errors_are_as_stated(void **state)
                 break;
         }
         print_message("stated to be %.3f off, it is %.4f, with %d sets\n", errors[i], off, sets);
-        assert_true(sets < 64 && off < 1.2 * errors[i] && off > errors[i] / 4);
+        assert_true(sets < 64 && off < .72 * errors[i] && off > errors[i] / 2);
     }
 }
 
@@ -127,7 +127,7 @@ static void paths_are_calmer(void **state)
                 off[i] += apart(frames[i], frames[0]) / (STEPS - SKIPPED);
         }
     print_message("a moving camera: %.4f off by each frame alone, %.4f with 16 kept\n", off[1], off[2]);
-    assert_true(off[2] < .62 * off[1]);
+    assert_true(off[2] < .28 * off[1]);
     for (int i = 0; i < 3; i++)
         frame_running_close(&rigs[i]);
 }
@@ -169,7 +169,7 @@ static void nothing_is_left_behind_what_moves(void **state)
         }
     print_message("behind a ball, %d pixels: %.4f off at most, %.4f by a frame alone; all: %.4f and %.4f\n", count,
                   most, bare, off[2], off[1]);
-    assert_true(count > 40 && most < bare + .01 && off[2] < 1.25 * off[1]);
+    assert_true(count > 40 && most < bare + .0025 && off[2] < 1.09 * off[1]);
     for (int i = 0; i < 3; i++)
         frame_running_close(&rigs[i]);
 }
@@ -223,7 +223,7 @@ static void what_moves_is_followed(void **state)
     static const struct {
         const char *name;
         double most; /* of what frames alone are off */
-    } areas[AREAS] = {{"on the ball", 1}, {"where it was", .85}, {"all", .95}};
+    } areas[AREAS] = {{"on the ball", .98}, {"where it was", .74}, {"all", .9}};
     static const char *const keys[] = {"samples: 48", "samples: 1", "history: 16"};
     static bool shown[STEPS][PIXELS];
     static FrameRunning rigs[3];
@@ -297,7 +297,7 @@ static void what_slides_over_a_wall_lends_what_is_alike(void **state)
     }
     print_message("a plate over a wall: %d pixels bared, %.4f off, %.4f by frames alone\n", count,
                   sqrt(sums[2] / count), sqrt(sums[1] / count));
-    assert_true(count > 100 && sums[2] < 1.21 * sums[1]);
+    assert_true(count > 100 && sums[2] < .99 * sums[1]);
     for (int i = 0; i < 4; i++)
         frame_running_close(i < 3 ? &rigs[i] : &depth);
 }
@@ -322,7 +322,7 @@ static void lamps_that_change_are_followed(void **state)
     for (int p = 0; p < PIXELS; p++)
         most = fmax(most, (double)rigs[0].rgba[4 * p]);
     print_message("half a lamp: %.5f off, %.5f by a frame alone, of %.3f at most\n", off[2], off[1], most);
-    assert_true(off[2] < .02 * most);
+    assert_true(off[2] < .013 * most && off[2] < 1.5 * off[1]);
     for (int i = 0; i < 3; i++)
         frame_running_close(&rigs[i]);
 }

@@ -1,0 +1,144 @@
+/* Thresholds of the edge pass: for each a scene of which the next plausible value makes another
+ * picture. Lines of pixels are compared with the lengths that a line cuts off them. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 64, PIXELS = SIDE * SIDE };
+
+#define PICTURE "image: { width: 64, height: 64 }\n"
+#define FACED                                                                                      \
+    PICTURE "camera: { camera: Orthographic, position: [0, -10, 0], size: 6.4, depth: 100 }\n"
+#define GLOWS(of) "material: { material: Phong, emissive: " of " }"
+#define CHECKERED GLOWS("{ map: Checker, input: { map: UVTransform, scaleU: 11, scaleV: 11 } }")
+
+static float *draw(GlContext *gl, const char *text, RenderEdges edges)
+{
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene = frame_scene(text, &options, &document);
+    float *rgba = frame_floats(
+        gl, scene, &(RenderOptions){.compile = &options, .edges = edges, .linear = true});
+    frame_forget(scene, document);
+    return rgba;
+}
+
+/* How many values differ from a picture without blended edges. */
+static int count_blended(GlContext *gl, const char *text)
+{
+    float *none = draw(gl, text, RENDER_EDGES_none), *all = draw(gl, text, RENDER_EDGES_coverage);
+    int count = 0;
+    for (int i = 0; i < 4 * PIXELS; i++)
+        count += none[i] != all[i];
+    free(none);
+    free(all);
+    return count;
+}
+
+/* A pattern with a panel's edge behind it, 0.15 % of the reversed depth, 0.9, farther away: that is
+ * hidden. 0.05 % behind, which rounding and curved surfaces need, it is seen. */
+static void what_is_a_little_nearer_hides(void **state)
+{
+    static const char panel[] =
+        FACED "objects:\n- { object: Parallelogram, u: [20, 0, 0], v: [0, 0, 20], transform: { "
+              "translation: [-10, 0, -10] }, " CHECKERED " }\n"
+              "- { object: Parallelogram, u: [2, 0, .3], v: [0, 0, 2], transform: { translation: "
+              "[-1, %g, -1] }, " GLOWS("1") " }\n";
+    char text[2048];
+    snprintf(text, sizeof text, panel, .0015 * 90);
+    assert_int_equal(count_blended(*state, text), 0);
+    snprintf(text, sizeof text, panel, .0005 * 90);
+    assert_true(count_blended(*state, text) > 20);
+}
+
+/* A sliver that no pixel's center shows, before a pattern 15 % farther away in reversed depth: at
+ * its edges no pixel shows the sliver, so nothing is blended. */
+static void what_no_center_shows_blends_nothing(void **state)
+{
+    static const char text[] =
+        FACED "objects:\n- { object: Parallelogram, u: [200, 0, 0], v: [0, 0, 200], transform: { "
+              "translation: [-100, 13.5, -100] }, " CHECKERED " }\n"
+              "- { object: Parallelogram, u: [.03, 0, 0], v: [0, 0, 20], transform: { translation: "
+              "[.08, 0, -10] }, " GLOWS("1") " }\n";
+    assert_int_equal(count_blended(*state, text), 0);
+}
+
+/* Rows of a picture of a white side, left of a line, and a black one: the sum of a row is the
+ * line's place, but for rows near the picture's border, and those where the line runs through a
+ * pixel's center, on one side of which a slanted side looks like an edge of its own. Returns the
+ * greatest difference. */
+static double worst_row(GlContext *gl, const char *text, const double line[2])
+{
+    float *rgba = draw(gl, text, RENDER_EDGES_coverage);
+    double worst = 0;
+    for (int y = 8; y < SIDE - 8; y++) {
+        const double place = line[0] + line[1] * (y + .5);
+        double sum = 0;
+        if (fabs(place - floor(place) - .5) < .025)
+            continue;
+        for (int x = 0; x < SIDE; x++)
+            sum += (double)rgba[4 * (y * SIDE + x)];
+        worst = fmax(worst, fabs(sum - place));
+    }
+    free(rgba);
+    return worst;
+}
+
+/* A valley: two panels that come towards the eye on either side of a line, by 0.8 % of the distance
+ * from pixel to pixel. What lies beside the line is nearer than it, and does not hide it. */
+static void valleys_are_blended(void **state)
+{
+    static const char text[] = PICTURE
+        "camera: { camera: Perspective, position: [0, -10, 0], target: [0, 0, 0], angle: 40 }\n"
+        "objects:\n"
+        "- { object: Parallelogram, u: [-8, -5.5, 0], v: [1, 0, 10], transform: { translation: "
+        "[-.48, 0, -5] }, " GLOWS("1") " }\n"
+                                       "- { object: Parallelogram, u: [8, -5.5, 0], v: [1, 0, 10], "
+                                       "transform: { translation: "
+                                       "[-.48, 0, -5] }, " GLOWS("0") " }\n";
+    const double pixels = SIDE / 2 / tan(20 * 3.14159265358979 / 180) / 10; /* of a unit */
+    /* x = .02 + .1 z in units; y rows upward */
+    const double line[2] = {SIDE / 2 + .02 * pixels - .1 * SIDE / 2, .1};
+    const double worst = worst_row(*state, text, line);
+    print_message("a valley: %.3f pixels off\n", worst);
+    assert_true(worst < .01);
+}
+
+/* A box whose side is so slanted that it is 7 % farther away from pixel to pixel: the crease before
+ * it is blended, since its neighbor is no farther than 10 %. */
+static void slanted_sides_are_blended(void **state)
+{
+    static const char text[] = PICTURE
+        "camera: { camera: Perspective, position: [0, -2, 0], target: [0, 0, 0], up: [.1, 0, 1], "
+        "angle: 40 }\n"
+        "objects:\n- { object: Box, size: [4, 400, 4], transform: { translation: [-2.325, 200, 0] "
+        "}, "
+        "material: { material: Phong, emissive: '= N.y < -.5 ? 1 : 0' } }\n";
+    const double pixels = SIDE / 2 / tan(20 * 3.14159265358979 / 180) / 2;
+    /* The edge x = -.325 of the world leans to the left by a tenth. */
+    const double at = -(.325 + .1 * .0325) * cos(atan(.1)) * pixels;
+    const double line[2] = {SIDE / 2 + at + .1 * SIDE / 2, -.1};
+    const double worst = worst_row(*state, text, line);
+    print_message("a slanted side: %.3f pixels off\n", worst);
+    assert_true(worst < .01);
+}
+
+int main(void)
+{
+    GlContext *gl = frame_context();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(what_is_a_little_nearer_hides, gl),
+        cmocka_unit_test_prestate(what_no_center_shows_blends_nothing, gl),
+        cmocka_unit_test_prestate(valleys_are_blended, gl),
+        cmocka_unit_test_prestate(slanted_sides_are_blended, gl)};
+    const int result = cmocka_run_group_tests(tests, NULL, NULL);
+    gl_close(gl);
+    return result;
+}
