@@ -167,7 +167,7 @@ static bool set_warnings(MatcOptions *options, const char *value)
 bool matc_options_set(MatcOptions *options, const char *name, const char *value)
 {
     NameChoice values;
-    if (!text_option(name) || !is_value(name, value))
+    if (!options || !name || !text_option(name) || !is_value(name, value))
         return false;
     if (!strcmp(name, "warnings"))
         return set_warnings(options, value);
@@ -271,6 +271,8 @@ void matc_options_init_sized(MatcOptions *options, size_t size)
 #ifndef NDEBUG
     all.check = true;
 #endif
+    if (!options)
+        return;
     memset(options, 0, size);
     memcpy(options, &all, size < sizeof all ? size : sizeof all);
 }
@@ -284,6 +286,8 @@ MatcOptions choice_whole_options(const MatcOptions *given)
     if (choice_is_set(given))
         memcpy(&options, given, given->size < sizeof options ? given->size : sizeof options);
     options.size = choice_is_set(given) ? sizeof options : given->size;
+    options.member_count = options.members && options.member_count > 0 ? options.member_count : 0;
+    options.include_count = options.include && options.include_count > 0 ? options.include_count : 0;
     return options;
 }
 

@@ -29,7 +29,7 @@ static char *text_given(Arena *arena, const Text *out)
 static const Member *definition_of(const MatcDocument *d, const char *name)
 {
     const Member *found = NULL;
-    for (int i = 0; d->graph && i < d->graph->def_count && !found; i++)
+    for (int i = 0; d && name && d->graph && i < d->graph->def_count && !found; i++)
         found = tree_find(d->graph->defs[i], name);
     return found;
 }
@@ -38,7 +38,7 @@ char *matc_definitions(const MatcDocument *d)
 {
     Arena arena = {0};
     Text out = text_new(&arena);
-    for (int i = 0; d->graph && i < d->graph->def_count; i++) {
+    for (int i = 0; d && d->graph && i < d->graph->def_count; i++) {
         const Tree *defs = d->graph->defs[i];
         if (defs->count)
             text_format(&out, "%s%s\n", out.size ? "\n" : "", d->session.sources[defs->span.file].name);
@@ -130,6 +130,8 @@ static char *explain_shipped(const char *name)
 /* The page of a definition of the library, then those of the name in the tables. */
 char *matc_explain(const char *name)
 {
+    if (!name)
+        return NULL;
     char *shipped = explain_shipped(name), *known = describe_explain(name);
     if (!shipped || !known)
         return shipped ? shipped : known;
@@ -229,7 +231,7 @@ char *matc_document_schema(MatcDocument *d)
 {
     Arena arena = {0};
     Text ref = text_new(&arena), document = text_new(&arena);
-    if (!d->graph)
+    if (!d || !d->graph)
         return NULL;
     put_uses_schema(&ref, d, false);
     put_uses_schema(&document, d, true);

@@ -19,7 +19,11 @@ static MatcDocument *make(const char *name, const char *text, size_t size, const
     d->session = session_open(&d->options, &d->arena);
     d->session.measure = d->options.measure;
     d->session.stage_start = session_now();
-    const Source source = {.name = arena_string(&d->arena, name, strlen(name)), .text = arena_string(&d->arena, text, size), .size = size};
+    size = text ? size : 0;
+    name = name ? name : "";
+    const Source source = {.name = arena_string(&d->arena, name, strlen(name)),
+                           .text = arena_string(&d->arena, text ? text : "", size),
+                           .size = size};
     ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
     session_depend_on(&d->session, source.name);
     return d;
@@ -28,7 +32,9 @@ static MatcDocument *make(const char *name, const char *text, size_t size, const
 MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
 {
     MatcDocument *d = make(name, text, size, options);
-    if (choice_check(&d->session))
+    if (!text)
+        diag_add(&d->session, NO_SPAN, DIAG_null_argument, "text");
+    else if (choice_check(&d->session))
         d->graph = compile_front(&d->session, 0, &d->tree);
     return d;
 }
@@ -36,7 +42,9 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
 MatcDocument *document_read(const char *name, const char *text, size_t size, const MatcOptions *options)
 {
     MatcDocument *d = make(name, text, size, options);
-    if (choice_check(&d->session))
+    if (!text)
+        diag_add(&d->session, NO_SPAN, DIAG_null_argument, "text");
+    else if (choice_check(&d->session))
         d->tree = read_document(&d->session, 0);
     return d;
 }
@@ -58,7 +66,7 @@ void matc_document_free(MatcDocument *d)
     free(d);
 }
 
-int matc_material_count(const MatcDocument *d) { return d->graph ? d->graph->material_count : 0; }
+int matc_material_count(const MatcDocument *d) { return d && d->graph ? d->graph->material_count : 0; }
 
 const char *matc_material_name(const MatcDocument *d, int material)
 {
@@ -67,28 +75,28 @@ const char *matc_material_name(const MatcDocument *d, int material)
 
 int matc_material_find(const MatcDocument *d, const char *name)
 {
-    for (int i = 0; i < matc_material_count(d); i++)
+    for (int i = 0; name && i < matc_material_count(d); i++)
         if (!strcmp(matc_material_name(d, i), name))
             return i;
     return -1;
 }
 
-int matc_depend_count(const MatcDocument *d) { return (int)d->session.depends.count; }
+int matc_depend_count(const MatcDocument *d) { return d ? (int)d->session.depends.count : 0; }
 
 const char *matc_depend(const MatcDocument *d, int index)
 {
     return index >= 0 && index < matc_depend_count(d) ? d->session.depends.at[index] : NULL;
 }
 
-int matc_error_count(const MatcDocument *d) { return d->session.diags.errors; }
+int matc_error_count(const MatcDocument *d) { return d ? d->session.diags.errors : 0; }
 
 const char *matc_tree_text(MatcDocument *d)
 {
-    Text out = text_new(&d->arena);
-    if (!d->tree)
+    if (!d || !d->tree)
         return "";
+    Text out = text_new(&d->arena);
     tree_print(&out, d->tree);
     return out.at;
 }
 
-const char *matc_diagnostics(MatcDocument *d, MatcForm form) { return diag_all(&d->session, form); }
+const char *matc_diagnostics(MatcDocument *d, MatcForm form) { return d ? diag_all(&d->session, form) : ""; }

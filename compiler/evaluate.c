@@ -103,7 +103,9 @@ static const char *evaluate(const MatcDocument *d, int material, const char *poi
         return "the options were not set by matc_options_init";
     if (choice_job(options, &job))
         return "an option has no such value; see matc_options_fault";
-    const char *fault = read_point(d->graph, &surface, point, &word);
+    if (!d)
+        return "the document is NULL";
+    const char *fault = read_point(d->graph, &surface, point ? point : "", &word);
     if (fault)
         return fault;
     if (!d->graph || material < 0 || material >= d->graph->material_count)
@@ -133,8 +135,8 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     Arena arena = {0};
     Text out = text_new(&arena);
     const MatcOptions whole = choice_whole_options(options);
-    *fault = evaluate(d, material, point, &whole, &values);
-    for (int slot = 0; !*fault && slot < SLOT_COUNT; slot++) {
+    const char *wrong = evaluate(d, material, point, &whole, &values);
+    for (int slot = 0; !wrong && slot < SLOT_COUNT; slot++) {
         text_put(&out, slot_table[slot].name);
         for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {
             text_char(&out, ' ');
@@ -142,7 +144,9 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
         }
         text_char(&out, '\n');
     }
-    char *result = *fault ? NULL : memory_checked(strdup(out.at));
+    if (fault)
+        *fault = wrong;
+    char *result = wrong ? NULL : memory_checked(strdup(out.at));
     arena_free(&arena);
     return result;
 }
@@ -171,7 +175,7 @@ MatcMoves matc_moves(const MatcDocument *d, int material, const MatcOptions *giv
     options.moved = false;
     options.members = NULL;
     options.member_count = 0;
-    if (d->graph && material >= 0 && material < d->graph->material_count && choice_is_set(&options) &&
+    if (material >= 0 && material < matc_material_count(d) && choice_is_set(&options) &&
         !choice_job(&options, &job)) {
         Session quiet = session_open(&options, &arena);
         const Ir *ir = compile_ir(&quiet, d->graph, d->graph->materials[material].node, &job);
@@ -214,8 +218,11 @@ static void add_along(double position[3], const double v[3], double by)
 
 static bool has_material(const MatcDocument *d, int material)
 {
-    return d->graph && material >= 0 && material < d->graph->material_count;
+    return material >= 0 && material < matc_material_count(d);
 }
+
+/* A list of that many points can be there. */
+static bool is_list(const void *points, int count) { return count == 0 || (points && count > 0); }
 
 /* The oracle of a document as the options have it; NULL: they are faulty. */
 static Oracle *oracle_for(const MatcDocument *d, int material, const MatcOptions *options)
@@ -237,7 +244,7 @@ bool matc_solid(const MatcDocument *d, int material, const MatcOptions *given, M
 {
     const MatcOptions options = choice_whole_options(given);
     Oracle *oracle = matc_has_volume(d, material) ? oracle_for(d, material, &options) : NULL;
-    bool fine = oracle != NULL;
+    bool fine = oracle && is_list(points, count);
     for (int i = 0; fine && i < count; i++) {
         const Surface surface = surface_of(&points[i].at, options.time);
         fine = oracle_displacement_at(oracle, d->graph->materials[material].node, &surface, points[i].heights);
@@ -260,7 +267,7 @@ bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, Ma
     const MatcOptions options = choice_whole_options(given);
     const bool volume = matc_has_volume(d, material);
     Oracle *oracle = oracle_for(d, material, &options);
-    bool fine = oracle != NULL;
+    bool fine = oracle && is_list(points, count);
     for (int i = 0; fine && i < count; i++) {
         const Surface surface = surface_of(&points[i], options.time);
         double move[ORACLE_HEIGHTS];
@@ -277,7 +284,7 @@ bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, Ma
 
 bool matc_set_default(MatcDocument *d, const char *param, const double *lanes, int count, double *before)
 {
-    for (int i = 0; d->graph && i < d->graph->uniform_count; i++) {
+    for (int i = 0; d && d->graph && param && lanes && i < d->graph->uniform_count; i++) {
         Uniform *uniform = d->graph->uniforms[i];
         if (strcmp(uniform->name, param) != 0 || type_table[uniform->type].lanes != count)
             continue;

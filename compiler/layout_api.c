@@ -28,9 +28,15 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
     layout->options = choice_whole_options(options);
     Session *session = &layout->session;
     *session = (Session){.options = &layout->options, .arena = &layout->arena};
-    const Source source = {.name = arena_string(session->arena, name, strlen(name)), .text = arena_string(session->arena, text, size), .size = size};
+    size = text ? size : 0;
+    name = name ? name : "";
+    const Source source = {.name = arena_string(session->arena, name, strlen(name)),
+                           .text = arena_string(session->arena, text ? text : "", size),
+                           .size = size};
     ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
-    const Tree *tree = choice_check(session) ? read_document(session, 0) : NULL;
+    if (!text)
+        diag_add(session, NO_SPAN, DIAG_null_argument, "text");
+    const Tree *tree = text && choice_check(session) ? read_document(session, 0) : NULL;
     const LayoutRow *row = tree ? layout_read(session, tree) : NULL;
     layout->row = session->diags.errors ? NULL : row;
     if (layout->row)
@@ -45,7 +51,10 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
         memory_exhausted();
     layout->options = choice_whole_options(options);
     layout->session = (Session){.options = &layout->options, .arena = &layout->arena};
-    if (choice_check(&layout->session) && ranges->materials) {
+    const bool possible = error >= 0 && error <= 1;
+    if (choice_check(&layout->session) && !possible)
+        diag_add(&layout->session, NO_SPAN, DIAG_layout_error, error);
+    if (!layout->session.diags.errors && ranges && ranges->materials) {
         Text report = text_new(&layout->arena);
         layout->row = auto_layout(&layout->arena, ranges, error, &report);
         finish(layout);
@@ -69,12 +78,15 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     own.custom = NULL;
     own.optimize = 2;
     Session session = session_open(&own, &arena);
-    const Graph *graph = document->graph;
-    document_lend(document, &session);
+    const Graph *graph = document ? document->graph : NULL;
+    if (document)
+        document_lend(document, &session);
     const char *wrong = choice_fault(&arena, &own);
     if (wrong)
         diag_add(&session, NO_SPAN, DIAG_unknown_option, wrong);
-    bool fine = !wrong && !choice_job(&own, &job) && graph && material >= 0 && material < graph->material_count;
+    if (!ranges || !document)
+        diag_add(&session, NO_SPAN, DIAG_null_argument, ranges ? "document" : "ranges");
+    bool fine = !wrong && ranges && !choice_job(&own, &job) && graph && material >= 0 && material < graph->material_count;
     job.pass = PASS_value;
     job.all_slots = true;
     matc_ranges_init(&one);
@@ -82,11 +94,12 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     fine = ir;
     if (fine)
         auto_ranges(ir, &one);
-    *fault = NULL;
+    if (fault)
+        *fault = NULL;
     if (fine)
         matc_ranges_join(ranges, &one);
-    else if (!(*fault = strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material")))
-        memory_exhausted();
+    else if (fault)
+        *fault = memory_checked(strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material"));
     arena_free(&arena);
     return fine;
 }
@@ -99,9 +112,9 @@ void matc_layout_free(MatcLayout *layout)
     free(layout);
 }
 
-bool matc_layout_ok(const MatcLayout *layout) { return layout->row != NULL; }
-const char *matc_layout_diagnostics(MatcLayout *layout, MatcForm form) { return diag_all(&layout->session, form); }
-const char *matc_layout_name(const MatcLayout *layout) { return layout->row ? layout->row->name : NULL; }
-int matc_layout_bytes(const MatcLayout *layout) { return layout->row ? layout_bytes(layout->row) : 0; }
-const char *matc_layout_text(const MatcLayout *layout) { return layout->text; }
-const char *matc_layout_report(const MatcLayout *layout) { return layout->report; }
+bool matc_layout_ok(const MatcLayout *layout) { return layout && layout->row; }
+const char *matc_layout_diagnostics(MatcLayout *layout, MatcForm form) { return layout ? diag_all(&layout->session, form) : ""; }
+const char *matc_layout_name(const MatcLayout *layout) { return layout && layout->row ? layout->row->name : NULL; }
+int matc_layout_bytes(const MatcLayout *layout) { return layout && layout->row ? layout_bytes(layout->row) : 0; }
+const char *matc_layout_text(const MatcLayout *layout) { return layout ? layout->text : NULL; }
+const char *matc_layout_report(const MatcLayout *layout) { return layout ? layout->report : NULL; }

@@ -15,9 +15,12 @@
  * may be compiled by several threads. Only running out of memory ends the process: "matc: out of memory" on standard error,
  * then abort().
  *
- * Every function answers every call. Of an index beyond what a count tells, a document with faults, a program or a layout that is not ok, pointers are
- * NULL, numbers 0, answers false, where nothing else is said. Options may be NULL: the defaults. Other pointers may be NULL where it is said, and those that
- * a function frees.
+ * Every function answers every call. For an index outside of what a count gives, for a document with faults, for a program or
+ * a layout that is not ok, and for a handle that is NULL, pointers are NULL, numbers 0 and answers false, where nothing else
+ * is said. Functions that make a handle never return NULL: a text or a document that is NULL is an error in the diagnostics
+ * of what they made. Diagnostics of NULL are "". Options may be NULL: the defaults. A name that is NULL names nothing, and
+ * where a result is handed out by a pointer (`size`, `fault`, `before`), NULL means that it is not wanted. What cannot be
+ * checked: that a pointer which is not NULL points to as much as is said, and that a handle has not been freed.
  *
  * A program goes on working with a later libmatc.so of the same number: functions and enumerators stay as they are, and
  * structs grow at their end only. MatcOptions says how long it is; the other structs are the library's, seen by pointer. */

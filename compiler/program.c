@@ -68,6 +68,8 @@ static bool open_job(MatcProgram *p)
 {
     if (!choice_check(&p->session))
         return false;
+    if (!p->document)
+        return diag_add(&p->session, NO_SPAN, DIAG_null_argument, "document");
     const int count = matc_material_count(p->document);
     if (p->material < 0 || p->material >= count)
         return diag_add(&p->session, NO_SPAN, DIAG_no_material_index, p->material, count);
@@ -88,7 +90,8 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     p->material = material;
     p->session = session_open(&p->options, &p->arena);
     p->session.measure = (outputs & MATC_STATS) != 0;
-    document_lend(d, &p->session);
+    if (d)
+        document_lend(d, &p->session);
     p->session.stage_start = session_now();
     p->ok = open_job(p) && compile_program(p) && (outputs == MATC_KEY || program_write(p, outputs)) &&
             !p->session.diags.errors;
@@ -97,13 +100,14 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
 
 bool matc_emit(MatcProgram *p, unsigned outputs)
 {
-    p->ok = p->ok && program_write(p, outputs) && !p->session.diags.errors;
-    return p->ok;
+    if (p)
+        p->ok = p->ok && program_write(p, outputs) && !p->session.diags.errors;
+    return p && p->ok;
 }
 
-const char *matc_program_diagnostics(MatcProgram *p, MatcForm form) { return diag_all(&p->session, form); }
+const char *matc_program_diagnostics(MatcProgram *p, MatcForm form) { return p ? diag_all(&p->session, form) : ""; }
 
-bool matc_ok(const MatcProgram *p) { return p->ok; }
+bool matc_ok(const MatcProgram *p) { return p && p->ok; }
 
 void matc_program_free(MatcProgram *p)
 {
@@ -113,42 +117,42 @@ void matc_program_free(MatcProgram *p)
     free(p);
 }
 
-int matc_texture_count(const MatcProgram *p) { return p->texture_count; }
+int matc_texture_count(const MatcProgram *p) { return p ? p->texture_count : 0; }
 
 static bool is_within(int index, int count) { return index >= 0 && index < count; }
 
 const MatcTexture *matc_texture(MatcProgram *p, int index)
 {
-    if (!is_within(index, p->texture_count))
+    if (!is_within(index, matc_texture_count(p)))
         return NULL;
     texture_fill(&p->session, p->ir, &p->textures[index], p->texture_made_by[index]);
     return &p->textures[index];
 }
 
-int matc_case(const MatcProgram *p) { return p->layout ? p->ir->layout_case : -1; }
+int matc_case(const MatcProgram *p) { return p && p->layout ? p->ir->layout_case : -1; }
 
-int matc_target_count(const MatcProgram *p) { return p->layout ? layout_targets(p->layout) : 0; }
+int matc_target_count(const MatcProgram *p) { return p && p->layout ? layout_targets(p->layout) : 0; }
 
 const char *matc_target_format(const MatcProgram *p, int index)
 {
     return is_within(index, matc_target_count(p)) ? format_table[p->layout->formats[index]].name : NULL;
 }
 
-int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
+int matc_uniform_count(const MatcProgram *p) { return p ? p->uniform_count : 0; }
 
-int matc_attribute_count(const MatcProgram *p) { return p->attribute_count; }
+int matc_attribute_count(const MatcProgram *p) { return p ? p->attribute_count : 0; }
 
 const MatcAttribute *matc_attribute(const MatcProgram *p, int index)
 {
-    return is_within(index, p->attribute_count) ? &p->attributes[index] : NULL;
+    return is_within(index, matc_attribute_count(p)) ? &p->attributes[index] : NULL;
 }
 
 const MatcUniform *matc_uniform(const MatcProgram *p, int index)
 {
-    return is_within(index, p->uniform_count) ? &p->uniforms[index] : NULL;
+    return is_within(index, matc_uniform_count(p)) ? &p->uniforms[index] : NULL;
 }
 
-const char *matc_pass(const MatcProgram *p) { return pass_table[p->job.pass].name; }
+const char *matc_pass(const MatcProgram *p) { return p ? pass_table[p->job.pass].name : NULL; }
 
 static void list_places(MatcProgram *p)
 {
@@ -164,7 +168,7 @@ static void list_places(MatcProgram *p)
 /* NULL: there is no program. */
 static const IrKey *key_of(MatcProgram *p)
 {
-    if (!p->ir)
+    if (!p || !p->ir)
         return NULL;
     if (!p->keyed) {
         p->key = ir_key(&p->session, p->ir, &p->job);
@@ -185,17 +189,19 @@ const MatcConstant *matc_place(MatcProgram *p, int index)
     return is_within(index, matc_place_count(p)) ? &p->places[index] : NULL;
 }
 
-int matc_constant_count(const MatcProgram *p) { return p->ir ? (int)p->ir->constant_count : 0; }
+int matc_constant_count(const MatcProgram *p) { return p && p->ir ? (int)p->ir->constant_count : 0; }
 
 const MatcConstant *matc_constant(const MatcProgram *p, int index)
 {
     return is_within(index, matc_constant_count(p)) ? &p->constants[index] : NULL;
 }
 
-int matc_constant_bytes(const MatcProgram *p) { return p->ir ? constants_size(p->ir) : 0; }
+int matc_constant_bytes(const MatcProgram *p) { return p && p->ir ? constants_size(p->ir) : 0; }
 
 void matc_constant_block(const MatcProgram *p, void *block)
 {
+    if (!block || !matc_constant_bytes(p))
+        return;
     memset(block, 0, (size_t)matc_constant_bytes(p));
     for (int i = 0; i < matc_constant_count(p); i++) {
         const MatcConstant *member = &p->constants[i];

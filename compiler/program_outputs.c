@@ -207,6 +207,8 @@ static bool fill_spirv(MatcProgram *p, unsigned outputs)
 
 bool program_write(MatcProgram *p, unsigned outputs)
 {
+    if (outputs >= 1u << OUTPUT_COUNT)
+        return diag_add(&p->session, NO_SPAN, DIAG_unknown_output, outputs & ~((1u << OUTPUT_COUNT) - 1));
     if (!p->written && !compile_back(&p->session, p->ir, &p->job, &p->products))
         return false;
     p->written = true;
@@ -220,12 +222,12 @@ bool program_write(MatcProgram *p, unsigned outputs)
 static int bit_of(const MatcProgram *p, unsigned output)
 {
     const bool one = output && !(output & (output - 1)) && output < 1u << OUTPUT_COUNT;
-    return p->ok && one ? __builtin_ctz(output) : -1;
+    return p && p->ok && one ? __builtin_ctz(output) : -1;
 }
 
 const char *matc_output(const MatcProgram *p, MatcOutput output, size_t *size)
 {
-    const int bit = p->asked & output ? bit_of(p, output) : -1;
+    const int bit = p && p->asked & output ? bit_of(p, output) : -1;
     if (size)
         *size = bit >= 0 ? p->sizes[bit] : 0;
     return bit >= 0 ? p->outputs[bit] : NULL;

@@ -32,10 +32,10 @@ const char *matc_opacity(MatcProgram *p)
 {
     static const char *const names[] = {
         [OPACITY_opaque] = "opaque", [OPACITY_transparent] = "transparent", [OPACITY_varying] = "varying"};
-    if (!p->ir)
+    if (!p || !p->ir)
         return NULL;
     p->ir->opacity = find_opacity(p);
     return names[p->ir->opacity];
 }
 
-double matc_displacement_bound(const MatcProgram *p) { return p->ir ? compile_displacement_bound(p->ir) : 0; }
+double matc_displacement_bound(const MatcProgram *p) { return p && p->ir ? compile_displacement_bound(p->ir) : 0; }

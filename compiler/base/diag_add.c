@@ -85,7 +85,7 @@ const char *diag_all(Session *session, MatcForm form)
     Text out = text_new(session->arena);
     if (!session->diags.count)
         return "";
-    if (form == MATC_JSON)
+    if (form != MATC_TEXT)
         text_put(&out, "[");
     for (size_t i = 0; i < session->diags.count; i++) {
         if (form == MATC_TEXT) {
@@ -95,7 +95,7 @@ const char *diag_all(Session *session, MatcForm form)
             diag_print_json(&out, &session->diags.at[i], session->sources);
         }
     }
-    if (form == MATC_JSON)
+    if (form != MATC_TEXT)
         text_put(&out, "\n]\n");
     return out.at;
 }

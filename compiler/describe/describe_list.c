@@ -136,10 +136,10 @@ char *matc_list_of(const char *kind)
 {
     Arena arena = {0};
     Text out = text_new(&arena);
-    for (int i = 0; i < LISTS; i++)
+    for (int i = 0; kind && i < LISTS; i++)
         if (!strcmp(lists[i].kind, kind))
             lists[i].put(&out);
-    for (int axis = 0; axis < AXIS_COUNT; axis++)
+    for (int axis = 0; kind && axis < AXIS_COUNT; axis++)
         if (!strcmp(axis_table[axis].name, kind))
             list_choices_of(&out, &axis_table[axis]);
     if (out.size)

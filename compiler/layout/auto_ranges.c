@@ -9,6 +9,8 @@ _Static_assert((int)MATC_SLOTS == (int)SLOT_COUNT, "matc.h knows how many slots 
 
 void matc_ranges_init(MatcRanges *ranges)
 {
+    if (!ranges)
+        return;
     memset(ranges, 0, sizeof *ranges); /* what lies between members too: equal ranges are equal bytes */
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         for (int lane = 0; lane < FIELD_LANES; lane++) {
@@ -19,6 +21,8 @@ void matc_ranges_init(MatcRanges *ranges)
 
 void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
 {
+    if (!ranges || !other)
+        return;
     ranges->materials += other->materials;
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         MatcSlotRange *to = &ranges->slot[slot];

@@ -21,9 +21,28 @@ struct MatcRender {
 };
 
 #define DEGREE 0.017453292519943295 /* radians */
-enum { MOST_PLACE = 1 << 20 };       /* of a rectangle in a framebuffer */
+enum {
+    MOST_PLACE = 1 << 20, /* of a rectangle in a framebuffer */
+    MOST_SIDE = 16384     /* of a picture, as of `image:` in scene.def */
+};
+
+static bool is_size(int width, int height)
+{
+    return width >= 0 && height >= 0 && width <= MOST_SIDE && height <= MOST_SIDE;
+}
 
 /* -- renderers */
+
+static bool check_options(const MatcRenderOptions *options, char *error, size_t room)
+{
+    const char *fault = matc_options_fault(options->compile);
+    if (!options->load)
+        return message_fail(error, room, "no function that loads is given");
+    if (!is_size(options->width, options->height))
+        return message_fail(error, room, "a picture has 1 to %d pixels each way, not %d x %d", MOST_SIDE, options->width,
+                            options->height);
+    return !fault || message_fail(error, room, "MatcRenderOptions.compile: the option '%s' has no such value", fault);
+}
 
 static bool open_render(MatcRender *r, const MatcRenderOptions *options, char *error, size_t room)
 {
@@ -45,13 +64,15 @@ static bool open_render(MatcRender *r, const MatcRenderOptions *options, char *e
 MatcRender *matc_render_open(const MatcRenderOptions *options, char *error, size_t room)
 {
     MatcRenderOptions whole = {0};
+    if (!options)
+        return message_fail(error, room, "the options are NULL"), NULL;
     MatcRender *r = calloc(1, sizeof *r);
     if (!r)
         memory_exhausted();
     memcpy(&whole, options, options->size < sizeof whole ? options->size : sizeof whole);
     if (!options->size)
         message_fail(error, room, "MatcRenderOptions.size is 0: it is to be sizeof(MatcRenderOptions)");
-    else if (whole.load ? open_render(r, &whole, error, room) : message_fail(error, room, "no function that loads is given"))
+    else if (check_options(&whole, error, room) && open_render(r, &whole, error, room))
         return r;
     matc_render_close(r);
     return NULL;
@@ -68,10 +89,12 @@ void matc_render_close(MatcRender *r)
     free(r);
 }
 
-const char *matc_render_error(const MatcRender *r) { return r->gl->error; }
+const char *matc_render_error(const MatcRender *r) { return r ? r->gl->error : "the renderer is NULL"; }
 
 bool matc_render_scene(MatcRender *r, MatcScene *scene)
 {
+    if (!r || !scene)
+        return r && gl_fail(r->gl, "the scene is NULL");
     r->scene = scene->scene;
     if (render_scene(r->render, r->scene))
         return true;
@@ -83,10 +106,25 @@ bool matc_render_scene(MatcRender *r, MatcScene *scene)
 
 static bool has(const MatcRender *r, int number, int count, const char *what)
 {
-    if (!r->scene)
-        return gl_fail(r->gl, "there is no scene to change");
+    if (!r || !r->scene)
+        return r && gl_fail(r->gl, "there is no scene to change");
     return (number >= 0 && number < count) || gl_fail(r->gl, "there is no %s %d", what, number);
 }
+
+/* Numbers that a caller gives are there, and finite. */
+static bool are_finite(const MatcRender *r, const double *numbers, int count, const char *what)
+{
+    if (!numbers)
+        return gl_fail(r->gl, "%s is NULL", what);
+    for (int i = 0; i < count; i++)
+        if (!isfinite(numbers[i]))
+            return gl_fail(r->gl, "%s has what is no number", what);
+    return true;
+}
+
+static int object_count(const MatcRender *r) { return r && r->scene ? r->scene->object_count : 0; }
+static int light_count(const MatcRender *r) { return r && r->scene ? r->scene->light_count : 0; }
+static int material_count(const MatcRender *r) { return r && r->scene ? r->scene->material_count : 0; }
 
 static bool not_displaced(const MatcRender *r)
 {
@@ -97,11 +135,8 @@ static bool not_displaced(const MatcRender *r)
 
 bool matc_render_move(MatcRender *r, int object, const double matrix[16])
 {
-    if (!has(r, object, r->scene ? r->scene->object_count : 0, "object"))
+    if (!has(r, object, object_count(r), "object") || !are_finite(r, matrix, 16, "the matrix"))
         return false;
-    for (int i = 0; i < 16; i++)
-        if (!isfinite(matrix[i]))
-            return gl_fail(r->gl, "the matrix has what is no number");
     SceneMatrix *at = &r->scene->objects[object].world_from_local;
     const SceneMatrix before = *at;
     memcpy(at->m, matrix, sizeof *at);
@@ -121,7 +156,8 @@ bool matc_render_look(MatcRender *r, const double position[3], const double targ
 {
     SceneCamera camera;
     double upright[3];
-    if (!has(r, 0, 1, "camera"))
+    if (!has(r, 0, 1, "camera") || !are_finite(r, position, 3, "the position") ||
+        !are_finite(r, target, 3, "the target") || !are_finite(r, up, 3, "up"))
         return false;
     camera = r->scene->camera;
     scene_origin_to(r->scene, position, camera.position);
@@ -143,7 +179,8 @@ bool matc_render_look(MatcRender *r, const double position[3], const double targ
 
 bool matc_render_light(MatcRender *r, int light, const double position[3], const double rgb[3])
 {
-    if (!has(r, light, r->scene ? r->scene->light_count : 0, "light"))
+    if (!has(r, light, light_count(r), "light") || !are_finite(r, position, 3, "the position") ||
+        !are_finite(r, rgb, 3, "the color"))
         return false;
     scene_origin_to(r->scene, position, r->scene->lights[light].position);
     memcpy(r->scene->lights[light].light, rgb, 3 * sizeof *rgb);
@@ -186,8 +223,9 @@ bool matc_renderer_set_time(MatcRender *r, double seconds)
 
 bool matc_renderer_set_size(MatcRender *r, int width, int height)
 {
-    enum { MOST_SIDE = 16384 }; /* of an image in scene.def */
-    if (width < 0 || height < 0 || width > MOST_SIDE || height > MOST_SIDE)
+    if (!r)
+        return false;
+    if (!is_size(width, height))
         return gl_fail(r->gl, "a picture has 1 to %d pixels each way, not %d x %d", MOST_SIDE, width, height);
     return render_resize(r->render, width, height);
 }
@@ -207,7 +245,7 @@ static bool find_method(const char *name, Word *made)
 bool matc_render_shadows(MatcRender *r, int light, const char *method)
 {
     char why[sizeof r->gl->error];
-    if (!has(r, light, r->scene ? r->scene->light_count : 0, "light"))
+    if (!has(r, light, light_count(r), "light"))
         return false;
     SceneLight *of = &r->scene->lights[light];
     const Word before = of->shadows;
@@ -225,11 +263,16 @@ bool matc_render_shadows(MatcRender *r, int light, const char *method)
 
 bool matc_render_param(MatcRender *r, int material, const char *name, const float *lanes, int count)
 {
-    double values[4] = {0};
-    if (!has(r, material, r->scene ? r->scene->material_count : 0, "material"))
+    enum { LANES = 4 };
+    double values[LANES] = {0};
+    if (!has(r, material, material_count(r), "material"))
         return false;
-    for (int i = 0; i < count && i < 4; i++)
+    if (!name || !lanes || count < 1 || count > LANES)
+        return gl_fail(r->gl, "a param has a name, and 1 to %d lanes", LANES);
+    for (int i = 0; i < count; i++)
         values[i] = (double)lanes[i];
+    if (!are_finite(r, values, count, "the param"))
+        return false;
     const SceneDisplaced meshes = scene_displace_param(r->scene, material, name, values, count);
     if (meshes == SCENE_DISPLACED_failed)
         return not_displaced(r);
@@ -239,10 +282,10 @@ bool matc_render_param(MatcRender *r, int material, const char *name, const floa
 
 /* -- frames */
 
-bool matc_render_frame(MatcRender *r) { return render_frame(r->render); }
-int matc_render_width(const MatcRender *r) { return render_width(r->render); }
-int matc_render_height(const MatcRender *r) { return render_height(r->render); }
-unsigned matc_render_texture(const MatcRender *r) { return frame_texture(r->render, FRAME_TARGET_shown, 0); }
+bool matc_render_frame(MatcRender *r) { return r && render_frame(r->render); }
+int matc_render_width(const MatcRender *r) { return r ? render_width(r->render) : 0; }
+int matc_render_height(const MatcRender *r) { return r ? render_height(r->render) : 0; }
+unsigned matc_render_texture(const MatcRender *r) { return r && r->scene ? frame_texture(r->render, FRAME_TARGET_shown, 0) : 0; }
 
 static bool is_rectangle(const int rectangle[4])
 {
@@ -253,8 +296,10 @@ static bool is_rectangle(const int rectangle[4])
 
 bool matc_renderer_draw(MatcRender *r, unsigned framebuffer, const int rectangle[4])
 {
+    if (!r)
+        return false;
     GlContext *gl = r->gl;
-    if (!is_rectangle(rectangle))
+    if (!rectangle || !is_rectangle(rectangle))
         return gl_fail(gl, "the rectangle to draw to is empty, or has no place in a framebuffer");
     const unsigned picture = r->scene ? matc_render_texture(r) : 0;
     if (r->scene && !picture)
@@ -275,4 +320,9 @@ bool matc_renderer_draw(MatcRender *r, unsigned framebuffer, const int rectangle
     return gl_check(gl, "drawing to a framebuffer");
 }
 
-bool matc_render_read(MatcRender *r, float *rgba) { return render_read(r->render, rgba); }
+bool matc_render_read(MatcRender *r, float *rgba)
+{
+    if (!r || !rgba)
+        return r && gl_fail(r->gl, "there is no place for the picture: the pointer is NULL");
+    return render_read(r->render, rgba);
+}

@@ -15,6 +15,11 @@
  * GL_UNPACK_ALIGNMENT and GL_PACK_ALIGNMENT, which are 1. Nothing is printed, nothing exits; only running out of memory in the compiler ends
  * the process, by abort().
  *
+ * Every function answers every call: for NULL, an index outside of what there is, or a number that is not finite, it returns
+ * false, -1, 0 or NULL, and all stays as it was. matc_render_error() and matc_scene_error() say why, unless the handle itself
+ * is NULL; the find functions of objects and lights return -1 without a reason. What cannot be checked: that a pointer which
+ * is not NULL points to as much as is said, and that a handle has not been freed.
+ *
  * A program goes on working with a later library of the same number, as with libmatc's. */
 #ifndef MATC_RENDER_HOST_H
 #define MATC_RENDER_HOST_H

@@ -14,6 +14,8 @@ MatcScene *matc_scene_read(const char *name, const char *text, size_t size, cons
                            MatcDocument **document)
 {
     MatcOptions defaults;
+    if (!document)
+        return NULL; /* nobody could free it */
     MatcScene *made = memory_checked(calloc(1, sizeof *made));
     matc_options_init(&defaults);
     defaults.pixels = true;
@@ -33,18 +35,20 @@ void matc_scene_free(MatcScene *scene)
     free(scene);
 }
 
-const char *matc_scene_error(const MatcScene *s) { return s->error; }
+const char *matc_scene_error(const MatcScene *s) { return s ? s->error : "the scene is NULL"; }
 
-int matc_scene_object_count(const MatcScene *s) { return s->scene->object_count; }
-int matc_scene_light_count(const MatcScene *s) { return s->scene->light_count; }
-int matc_scene_material_count(const MatcScene *s) { return s->scene->material_count; }
+int matc_scene_object_count(const MatcScene *s) { return s ? s->scene->object_count : 0; }
+int matc_scene_light_count(const MatcScene *s) { return s ? s->scene->light_count : 0; }
+int matc_scene_material_count(const MatcScene *s) { return s ? s->scene->material_count : 0; }
 
-static bool is_object(const MatcScene *s, int object) { return object >= 0 && object < s->scene->object_count; }
+static bool is_object(const MatcScene *s, int object) { return object >= 0 && object < matc_scene_object_count(s); }
 
 void matc_scene_matrix(const MatcScene *s, int object, double matrix[16])
 {
     const SceneMatrix identity = scene_matrix_identity();
     const SceneMatrix *of = is_object(s, object) ? &s->scene->objects[object].world_from_local : &identity;
+    if (!matrix)
+        return;
     memcpy(matrix, of->m, sizeof of->m);
     if (of != &identity)
         scene_origin_from(s->scene, of->m + 12, matrix + 12);
@@ -66,9 +70,9 @@ static bool goes_by(const char *name, const char *wanted)
 
 int matc_scene_find_object(const MatcScene *s, const char *name, int after)
 {
-    if (after >= s->scene->object_count)
+    if (!name || after >= matc_scene_object_count(s))
         return -1;
-    for (int i = after < 0 ? 0 : after + 1; i < s->scene->object_count; i++)
+    for (int i = after < 0 ? 0 : after + 1; i < matc_scene_object_count(s); i++)
         if (goes_by(s->scene->objects[i].name, name))
             return i;
     return -1;
@@ -76,7 +80,7 @@ int matc_scene_find_object(const MatcScene *s, const char *name, int after)
 
 int matc_scene_find_light(const MatcScene *s, const char *name)
 {
-    for (int i = 0; i < s->scene->light_count; i++)
+    for (int i = 0; name && i < matc_scene_light_count(s); i++)
         if (s->scene->lights[i].name && !strcmp(s->scene->lights[i].name, name))
             return i;
     return -1;
@@ -97,6 +101,10 @@ static void *with_room(const MatcScene *s, void *array, int count, size_t *room,
 
 int matc_scene_find_material(MatcScene *s, const char *name)
 {
+    if (!s)
+        return -1;
+    if (!name)
+        return message_fail(s->error, sizeof s->error, "the name is NULL"), -1;
     Scene *scene = s->scene;
     for (int i = 0; i < scene->material_count; i++) {
         const SceneMaterial *of = &scene->materials[i];
@@ -105,7 +113,7 @@ int matc_scene_find_material(MatcScene *s, const char *name)
     }
     const int index = matc_material_find(s->document, name);
     if (index < 0)
-        return -1;
+        return message_fail(s->error, sizeof s->error, "the document has no material '%s'", name), -1;
     if (scene->displaced) /* what displaces is counted by material */
         return message_fail(s->error, sizeof s->error, "a scene with displaced objects takes no further materials"), -1;
     scene->materials =
@@ -131,6 +139,18 @@ static bool check_counts(MatcScene *s, const MatcMesh *mesh)
         return message_fail(s->error, sizeof s->error, "a mesh has positions, of 1 to %d vertices", MODEL_VERTICES);
     return (mesh->index_count >= 0 && mesh->index_count <= MODEL_INDICES && !mesh->indices == !mesh->index_count) ||
            message_fail(s->error, sizeof s->error, "a mesh has up to %d indices, or none", MODEL_INDICES);
+}
+
+/* Positions are checked where the mesh is completed. */
+static bool check_attributes(MatcScene *s, const MatcMesh *mesh)
+{
+    const float *const lists[] = {mesh->normals, mesh->texcoords};
+    static const size_t lanes[] = {3, 2};
+    for (int list = 0; list < 2; list++)
+        for (size_t i = 0; lists[list] && i < lanes[list] * (size_t)mesh->vertex_count; i++)
+            if (!isfinite(lists[list][i]))
+                return message_fail(s->error, sizeof s->error, "the mesh: a normal or a coordinate is no number");
+    return true;
 }
 
 static void take_vertices(const MatcMesh *mesh, Shape *shape)
@@ -166,11 +186,11 @@ int matc_scene_add_mesh(MatcScene *s, const MatcMesh *given)
 {
     MatcMesh mesh = {0};
     SceneMesh made = {.path = "", .part = -1};
-    Scene *scene = s->scene;
-    if (!is_mesh(s, given))
+    if (!s || !is_mesh(s, given))
         return -1;
+    Scene *scene = s->scene;
     memcpy(&mesh, given, given->size < sizeof mesh ? given->size : sizeof mesh);
-    if (!check_counts(s, &mesh) || !make_shape(s, &mesh, &made.shape))
+    if (!check_counts(s, &mesh) || !check_attributes(s, &mesh) || !make_shape(s, &mesh, &made.shape))
         return -1;
     scene->meshes = with_room(s, scene->meshes, scene->mesh_count, &s->mesh_room, sizeof *scene->meshes);
     scene->meshes[scene->mesh_count] = made;
@@ -207,7 +227,7 @@ static bool check_object(MatcScene *s, int mesh, int material, const double matr
     if (matc_moves(of->document, of->index, NULL) != MATC_MOVES_none)
         return message_fail(s->error, sizeof s->error, "the material '%s' displaces: an object that is added cannot be",
                             matc_material_name(of->document, of->index));
-    return is_matrix(matrix) || message_fail(s->error, sizeof s->error, "the matrix flattens, or is no number");
+    return (matrix && is_matrix(matrix)) || message_fail(s->error, sizeof s->error, "the matrix flattens, or is no number");
 }
 
 /* The place of an object that was removed, or one more. -1: there are too many. */
@@ -225,7 +245,7 @@ static int find_place(MatcScene *s)
 
 int matc_scene_add_object(MatcScene *s, int mesh, int material, const double matrix[16])
 {
-    if (!check_object(s, mesh, material, matrix))
+    if (!s || !check_object(s, mesh, material, matrix))
         return -1;
     const int place = find_place(s);
     if (place < 0)
@@ -239,6 +259,8 @@ int matc_scene_add_object(MatcScene *s, int mesh, int material, const double mat
 
 static bool has_object(MatcScene *s, int object)
 {
+    if (!s)
+        return false;
     return (is_object(s, object) && !s->scene->objects[object].removed) ||
            message_fail(s->error, sizeof s->error, "there is no object %d", object);
 }

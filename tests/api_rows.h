@@ -1,0 +1,67 @@
+/* Tables of a public header's functions: one row for each that the header declares, so that a new function without a row
+ * fails.
+ *
+ *     static const ApiRow rows[] = {{"matc_read", wrong_read}, ...};
+ *     api_rows_run("compiler/matc.h", rows, sizeof rows / sizeof *rows); */
+#ifndef API_ROWS_H
+#define API_ROWS_H
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    const char *name;
+    void (*ask)(void); /* calls the function with every kind of wrong argument */
+} ApiRow;
+
+enum { API_NAME = 64 };
+
+/* A file's text, from malloc. */
+static char *api_text(const char *path)
+{
+    enum { MOST = 1 << 18 };
+    char *text = calloc(MOST, 1);
+    FILE *file = fopen(path, "r");
+    assert_true(text && file);
+    assert_in_range(fread(text, 1, MOST - 1, file), 1, MOST - 2);
+    fclose(file);
+    return text;
+}
+
+/* The name before the next "(" behind a MATC_API; NULL: there are no more. */
+static const char *api_next(const char *text, char name[API_NAME])
+{
+    const char *at = strstr(text, "\nMATC_API ");
+    const char *end = at ? strchr(at, '(') : NULL;
+    if (!end)
+        return NULL;
+    const char *begin = end;
+    while (begin[-1] == '_' || (begin[-1] >= 'a' && begin[-1] <= 'z') || (begin[-1] >= '0' && begin[-1] <= '9'))
+        begin--;
+    assert_true(end - begin > 0 && end - begin < API_NAME);
+    memcpy(name, begin, (size_t)(end - begin));
+    name[end - begin] = 0;
+    return end;
+}
+
+/* Every function of the header has a row and every row a function; then asks them all. */
+static void api_rows_run(const char *header, const ApiRow *rows, size_t count)
+{
+    char path[4096], name[API_NAME];
+    size_t declared = 0;
+    snprintf(path, sizeof path, "%s/%s", SOURCE_FOLDER, header);
+    char *text = api_text(path);
+    for (const char *at = text; (at = api_next(at, name)); declared++) {
+        size_t row = 0;
+        while (row < count && strcmp(rows[row].name, name) != 0)
+            row++;
+        if (row == count)
+            fail_msg("%s: no row calls %s with wrong arguments", header, name);
+    }
+    assert_true(declared > 10);
+    assert_int_equal(declared, count);
+    free(text);
+    for (size_t i = 0; i < count; i++)
+        rows[i].ask();
+}
+#endif
