@@ -17,7 +17,7 @@ enum { SIDE = 64, PIXELS = SIDE * SIDE };
 #define FACED                                                                                      \
     PICTURE "camera: { camera: Orthographic, position: [0, -10, 0], size: 6.4, depth: 100 }\n"
 #define GLOWS(of) "material: { material: Phong, emissive: " of " }"
-#define CHECKERED GLOWS("{ map: Checker, input: { map: UVTransform, scaleU: 11, scaleV: 11 } }")
+#define CHECKERED GLOWS("{ map: Checker, input: { map: UVTransform, scaleU: 23, scaleV: 23 } }")
 
 static float *draw(GlContext *gl, const char *text, RenderEdges edges)
 {
@@ -58,13 +58,13 @@ static void what_is_a_little_nearer_hides(void **state)
     assert_true(count_blended(*state, text) > 20);
 }
 
-/* A sliver that no pixel's center shows, before a pattern 15 % farther away in reversed depth: at
- * its edges no pixel shows the sliver, so nothing is blended. */
+/* A sliver that no pixel's center shows, before a border of a pattern 15 % farther away in reversed
+ * depth: at its edges no pixel shows the sliver, so nothing is blended. */
 static void what_no_center_shows_blends_nothing(void **state)
 {
     static const char text[] =
-        FACED "objects:\n- { object: Parallelogram, u: [200, 0, 0], v: [0, 0, 200], transform: { "
-              "translation: [-100, 13.5, -100] }, " CHECKERED " }\n"
+        FACED "objects:\n- { object: Parallelogram, u: [20, 0, 0], v: [0, 0, 20], transform: { "
+              "translation: [-9.9, 13.5, -10] }, " CHECKERED " }\n"
               "- { object: Parallelogram, u: [.03, 0, 0], v: [0, 0, 20], transform: { translation: "
               "[.08, 0, -10] }, " GLOWS("1") " }\n";
     assert_int_equal(count_blended(*state, text), 0);
@@ -91,16 +91,16 @@ static double worst_row(GlContext *gl, const char *text, const double line[2])
     return worst;
 }
 
-/* A valley: two panels that come towards the eye on either side of a line, by 0.8 % of the distance
+/* A valley: two panels that come towards the eye on either side of a line, by 1.4 % of the distance
  * from pixel to pixel. What lies beside the line is nearer than it, and does not hide it. */
 static void valleys_are_blended(void **state)
 {
     static const char text[] = PICTURE
         "camera: { camera: Perspective, position: [0, -10, 0], target: [0, 0, 0], angle: 40 }\n"
         "objects:\n"
-        "- { object: Parallelogram, u: [-8, -5.5, 0], v: [1, 0, 10], transform: { translation: "
+        "- { object: Parallelogram, u: [-8, -9.8, 0], v: [1, 0, 10], transform: { translation: "
         "[-.48, 0, -5] }, " GLOWS("1") " }\n"
-                                       "- { object: Parallelogram, u: [8, -5.5, 0], v: [1, 0, 10], "
+                                       "- { object: Parallelogram, u: [8, -9.8, 0], v: [1, 0, 10], "
                                        "transform: { translation: "
                                        "[-.48, 0, -5] }, " GLOWS("0") " }\n";
     const double pixels = SIDE / 2 / tan(20 * 3.14159265358979 / 180) / 10; /* of a unit */
