@@ -82,8 +82,36 @@ static void through_glass(void **state)
     gl_close(gl);
 }
 
+/* Drawn in parts of 24 pixels, tiles and a glow lie where they do in the whole picture. */
+static void parts_have_the_picture_s_backdrop(void **state)
+{
+    (void)state;
+    enum { WIDTH = 60, HEIGHT = 40 };
+    static const char *const kinds[] = {"tiles: true", "glow: true"};
+    GlContext *gl = frame_context();
+    for (int kind = 0; kind < 2; kind++) {
+        char text[256];
+        MatcDocument *document;
+        const MatcOptions options = frame_exact_options();
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d, %s }\nlights: [{ light: Ambient }]\n"
+                 "objects: [{ object: Box, material: { material: Phong, ambient: .5 } }]\n",
+                 WIDTH, HEIGHT, kinds[kind]);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *whole = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
+        float *parts = frame_tiles(gl, scene, &(RenderOptions){.compile = &options, .tile = {24, 24}});
+        for (int i = 0; i < 4 * WIDTH * HEIGHT; i++)
+            assert_true(fabsf(whole[i] - parts[i]) < .51f / 255);
+        free(whole);
+        free(parts);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(tiles), cmocka_unit_test(through_glass)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(tiles), cmocka_unit_test(through_glass),
+                                       cmocka_unit_test(parts_have_the_picture_s_backdrop)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

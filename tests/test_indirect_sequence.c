@@ -27,6 +27,19 @@ static void sequences_are_as_they_are_published(void **state)
     }
 }
 
+/* The third number: Halton's is of base 5, others have one of base 3, as their first two are of
+ * base 2. */
+static void thirds_are_of_other_bases(void **state)
+{
+    (void)state;
+    static const double five[6] = {0, .2, .4, .6, .8, .04}, three[6] = {0, 1. / 3, 2. / 3, 1. / 9, 4. / 9, 7. / 9};
+    for (int i = 0; i < 6; i++) {
+        assert_true(fabs(indirect_sequence_third(WORD_Sequence_halton, i) - five[i]) < 1e-15);
+        assert_true(fabs(indirect_sequence_third(WORD_Sequence_sobol, i) - three[i]) < 1e-15);
+        assert_true(fabs(indirect_sequence_third(WORD_Sequence_hammersley, i) - three[i]) < 1e-15);
+    }
+}
+
 /* Of 2^m samples each box of 2^-a by 2^(a - m) has one. */
 static void assert_net(int m)
 {
@@ -156,7 +169,7 @@ static void blue_noise_and_none(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sequences_are_as_they_are_published),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sequences_are_as_they_are_published), cmocka_unit_test(thirds_are_of_other_bases),
                                        cmocka_unit_test(sets_are_nets),
                                        cmocka_unit_test(tiles_of_sobol_are_nets),
                                        cmocka_unit_test(sets_of_frames_are_nets),
