@@ -457,8 +457,34 @@ static void wrong_arguments_of_every_function(void **state)
     assert_memory_equal(after, of.before, sizeof after);
 }
 
+/* A scene with displaced objects refuses further meshes, objects and materials, and goes on as it was. */
+static void displaced_scenes_take_no_more(void **state)
+{
+    (void)state;
+    static const char displaced[] = "displacement: { triangles: 2000 }\nmaterials:\n"
+                                    "  rock: { material: Phong, displacementScale: .1, displacement: { map: Granite } }\n"
+                                    "  spare: { material: Phong }\n"
+                                    "objects: [{ object: Sphere, material: rock }]\n";
+    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const MatcMesh triangle = {sizeof triangle, positions, NULL, NULL, NULL, 3, 0};
+    MatcDocument *document;
+    MatcScene *scene = matc_scene_read("a.yaml", displaced, strlen(displaced), NULL, &document);
+    assert_non_null(scene);
+    assert_int_equal(matc_scene_add_mesh(scene, &triangle), -1);
+    assert_string_equal(matc_scene_error(scene), "a scene with displaced objects takes no further meshes");
+    assert_int_equal(matc_scene_add_object(scene, 0, 0, identity), -1);
+    assert_string_equal(matc_scene_error(scene), "a scene with displaced objects takes no further objects");
+    assert_int_equal(matc_scene_find_material(scene, "rock"), 0);
+    assert_int_equal(matc_scene_find_material(scene, "spare"), -1);
+    assert_string_equal(matc_scene_error(scene), "a scene with displaced objects takes no further materials");
+    assert_int_equal(matc_scene_object_count(scene), 1);
+    matc_scene_free(scene);
+    matc_document_free(document);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(wrong_arguments_of_every_function, open_all, close_all)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(wrong_arguments_of_every_function, open_all, close_all),
+                                       cmocka_unit_test(displaced_scenes_take_no_more)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
