@@ -20,7 +20,7 @@ static struct {
     MatcOptions options, unset;
     MatcDocument *fine, *faulty;
     MatcProgram *program, *failed;
-    MatcLayout *layout, *no_layout;
+    MatcLayout *no_layout;
 } of;
 
 static int open_all(void **state)
@@ -32,8 +32,6 @@ static int open_all(void **state)
     of.faulty = read_text("material: Phnog\n", &of.options);
     of.program = matc_compile(of.fine, 0, MATC_FRAGMENT, &of.options);
     of.failed = matc_compile(of.faulty, 0, MATC_FRAGMENT, &of.options);
-    of.layout = matc_layout_read("a.yaml", "layout: a\ntargets: [RGBA8]\nfields:\n- { slot: diffuse, encoding: unorm, bits: 8 }\n", 79,
-                                 &of.options);
     of.no_layout = matc_layout_read("a.yaml", "", 0, &of.options);
     return !matc_ok(of.program);
 }
@@ -41,7 +39,6 @@ static int open_all(void **state)
 static int close_all(void **state)
 {
     (void)state;
-    matc_layout_free(of.layout);
     matc_layout_free(of.no_layout);
     matc_program_free(of.program);
     matc_program_free(of.failed);
