@@ -59,8 +59,36 @@ void text_int(Text *text, long value)
     text_add(text, at, (size_t)(end - at));
 }
 
+/* Strings and ints, which most formats have alone, need no printf; it takes a thousand instructions to begin. */
+static bool is_plain(const char *format)
+{
+    for (const char *at = strchr(format, '%'); at; at = strchr(at + 2, '%'))
+        if (at[1] != 's' && at[1] != 'd' && at[1] != '%')
+            return false;
+    return true;
+}
+
+static void put_plain(Text *text, const char *format, va_list args)
+{
+    for (const char *at = strchr(format, '%'); at; format = at + 2, at = strchr(format, '%')) {
+        text_add(text, format, (size_t)(at - format));
+        const char *string = at[1] == 's' ? va_arg(args, const char *) : NULL;
+        if (at[1] == 's')
+            text_put(text, string ? string : "(null)"); /* as printf has it */
+        else if (at[1] == 'd')
+            text_int(text, va_arg(args, int));
+        else
+            text_char(text, '%');
+    }
+    text_put(text, format);
+}
+
 void text_format_list(Text *text, const char *format, va_list args)
 {
+    if (is_plain(format)) {
+        put_plain(text, format, args);
+        return;
+    }
     va_list again;
     va_copy(again, args);
     text_reserve(text, FORMAT_ROOM);

@@ -118,6 +118,9 @@ const char *emit_origin_note(Scope *e, const IrNode *node)
         return "";
     Text note = text_new(e->scratch);
     put_file(&note, e->session->sources[map->span.file].name);
-    text_format(&note, ":%zu %s", line_of(lines_of(e, map->span.file), map->span.start), ir_origin_title(map));
+    text_char(&note, ':');
+    text_int(&note, (long)line_of(lines_of(e, map->span.file), map->span.start));
+    text_char(&note, ' ');
+    text_put(&note, ir_origin_title(map));
     return note.at;
 }

@@ -197,14 +197,15 @@ static void ask_below(Doubts *d, const Node *node, unsigned asked)
     for (int i = 0; i < row->count && (material || asked); i++) {
         const ParamRow *param = &param_table[row->first + i];
         const Value *value = &node->params[i];
-        const bool input = !strcmp(param->name, "input") || !strcmp(param->name, "coatNormal");
         for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
             ask(d, node, value->items->item[k].input, node->kind == KIND_Expression ? ASKED_other | shape : asked);
-        if (value->kind == VALUE_node && param->type == PARAM_Map)
-            ask(d, node, value->node,
-                shape | (!input     ? asked_of_param(node, param, asked)
-                         : material ? ASKED_other
-                                    : asked_of_input(node, asked)));
+        if (value->kind != VALUE_node || param->type != PARAM_Map)
+            continue;
+        const bool input = !strcmp(param->name, "input") || !strcmp(param->name, "coatNormal");
+        ask(d, node, value->node,
+            shape | (!input     ? asked_of_param(node, param, asked)
+                     : material ? ASKED_other
+                                : asked_of_input(node, asked)));
     }
 }
 
