@@ -60,6 +60,14 @@ char *arena_string(Arena *arena, const char *text, size_t size)
     return copy;
 }
 
+void *arena_copy(Arena *arena, const void *array, size_t count, size_t room, size_t size)
+{
+    void *copy = arena_alloc(arena, room * size);
+    if (count)
+        memcpy(copy, array, count * size);
+    return copy;
+}
+
 void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wanted)
 {
     const size_t more = aligned(wanted) - aligned(size);

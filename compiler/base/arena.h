@@ -15,6 +15,8 @@ void *arena_alloc(Arena *arena, size_t size);
 void *arena_zero(Arena *arena, size_t size);
 /* Copy of `size` bytes, with a zero byte behind. */
 char *arena_string(Arena *arena, const char *text, size_t size);
+/* A copy of an array of `count` elements of `size`, with room for `room` of them. */
+void *arena_copy(Arena *arena, const void *array, size_t count, size_t room, size_t size);
 /* Makes an allocation of `size` bytes one of `wanted`: the newest grows where it lies, any other moves, with its first `kept` bytes. */
 void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wanted);
 /* An array that has room for `count` elements of `size`, doubled when it is full; the contents move along. */

@@ -42,6 +42,14 @@ void hash_index_add(Arena *arena, HashIndex *index, uint32_t hash, uint32_t numb
     index->count++;
 }
 
+HashIndex hash_index_copy(Arena *arena, const HashIndex *index)
+{
+    HashIndex copy = *index;
+    if (index->slots)
+        copy.slots = arena_copy(arena, index->slots, index->mask + (size_t)1, index->mask + (size_t)1, sizeof *index->slots);
+    return copy;
+}
+
 void hash_index_free(HashIndex *index)
 {
     free(index->slots);

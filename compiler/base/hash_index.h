@@ -25,6 +25,8 @@ typedef struct {
 
 /* Adds a number, whatever is there already. Memory is the arena's; NULL: malloc's, until hash_index_free. */
 void hash_index_add(Arena *arena, HashIndex *index, uint32_t hash, uint32_t number);
+/* The same numbers in a table of its own. */
+HashIndex hash_index_copy(Arena *arena, const HashIndex *index);
 void hash_index_free(HashIndex *index);
 
 /* A walk over the numbers that have a hash: while (hash_probe_next(&probe)) compare what has probe.number. */

@@ -93,7 +93,7 @@ static double node_cost(const Ir *ir, Ref ref) { return ir_applies(ir, ref) ? BR
 static void clear(Schedule *s)
 {
     s->block_count = 0;
-    s->regions = false;
+    s->regions = s->derives = false;
     add_block(s, -1);
     for (size_t i = 0; i < s->nodes.count; i++) {
         Ref ref = s->nodes.at[i];
@@ -145,8 +145,10 @@ static void assign_blocks(const Ir *ir, Schedule *s, const Ref *roots, int count
         use(s, roots[i], 0, 0);
     for (size_t k = 0; k < s->nodes.count; k++) {
         Ref ref = s->nodes.at[k];
-        if (ir_needs_neighbours(ir, ref))
+        if (ir_needs_neighbours(ir, ref)) {
             s->block[ref] = 0;
+            s->derives = true;
+        }
         bound_depth(s, ref);
         if (s->branch[ref])
             use_arms(ir, s, ref);
@@ -256,14 +258,6 @@ static void hoist(const Ir *ir, Schedule *s)
     }
 }
 
-static bool has_neighbours(const Ir *ir, const Schedule *s)
-{
-    for (size_t i = 0; i < s->nodes.count; i++)
-        if (ir_needs_neighbours(ir, s->nodes.at[i]))
-            return true;
-    return false;
-}
-
 Schedule schedule_new(const Ir *ir, Arena *arena)
 {
     return (Schedule){.arena = arena,
@@ -295,7 +289,7 @@ void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branc
     if (s->regions)
         order(s);
     s->hoisted = NULL;
-    if (has_neighbours(ir, s))
+    if (s->derives)
         hoist(ir, s);
     link_blocks(s);
 }

@@ -46,14 +46,23 @@ static uint32_t mix_hash(uint32_t hash, uint32_t word)
     return hash ^ hash >> 15;
 }
 
-static uint32_t hash_bytes(uint32_t hash, const void *bytes, size_t size)
+/* By their bits, as they are compared: -0 is another number than 0. */
+static uint32_t hash_numbers(uint32_t hash, const double *numbers, int count)
 {
-    for (size_t i = 0; i < size; i += 4) {
-        uint32_t word;
-        memcpy(&word, (const char *)bytes + i, 4);
-        hash = mix_hash(hash, word);
+    for (int i = 0; i < count; i++) {
+        uint64_t bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        hash = mix_hash(hash, (uint32_t)(bits ^ bits >> 32));
     }
     return hash;
+}
+
+static inline bool equal_numbers(const double *a, const double *b, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (memcmp(&a[i], &b[i], sizeof *a) != 0)
+            return false;
+    return true;
 }
 
 /* The slots that a node may have, in turn: some beside those of what shares its youngest operand, so that what is made together lies together, and in
@@ -136,10 +145,15 @@ static Ref add_node(Ir *ir, const IrNode *node, uint32_t slot)
     return ref;
 }
 
-static bool equal_node(const Ir *ir, const IrNode *a, const IrNode *b, const Ref *args)
+static inline bool equal_node(const Ir *ir, const IrNode *a, const IrNode *b, const Ref *args)
 {
-    return a->hash == b->hash && a->op == b->op && a->type == b->type && a->count == b->count &&
-           a->payload == b->payload && (!b->count || !memcmp(&ir->args[a->first], args, b->count * sizeof(Ref)));
+    if (a->hash != b->hash || a->op != b->op || a->type != b->type || a->count != b->count || a->payload != b->payload)
+        return false;
+    const Ref *own = ir->args + a->first;
+    for (int i = 0; i < b->count; i++)
+        if (own[i] != args[i])
+            return false;
+    return true;
 }
 
 static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)
@@ -161,25 +175,22 @@ static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)
 
 Ref ir_const(Ir *ir, Type type, const double *numbers)
 {
-    size_t lanes = (size_t)type_table[type].lanes;
-    double own[4];
-    for (size_t i = 0; i < lanes; i++)
-        own[i] = numbers[i];
+    const int lanes = type_table[type].lanes;
     if (ir->moved)
         rehash(ir);
     IrNode node = {.op = OP_const, .type = (uint8_t)type, .flags = NODE_simple | NODE_final};
-    node.hash = hash_bytes(mix_hash(OP_const, type), own, lanes * sizeof *own);
+    node.hash = hash_numbers(mix_hash(OP_const, type), numbers, lanes);
     uint32_t at = node.hash & ir->mask;
     for (; ir->table[at]; at = (at + 1) & ir->mask) {
         const IrNode *other = &ir->nodes[ir->table[at]];
         if (other->hash == node.hash && other->op == OP_const && other->type == type &&
-            !memcmp(&ir->numbers[other->payload], own, lanes * sizeof *own))
+            equal_numbers(&ir->numbers[other->payload], numbers, lanes))
             return ir->table[at];
     }
     node.payload = (uint32_t)ir->number_count;
     node.origin = ir->origin;
-    for (size_t i = 0; i < lanes; i++)
-        ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, own[i]);
+    for (int i = 0; i < lanes; i++) /* they may lie in the list that grows: an arena leaves the old one as it is */
+        ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, numbers[i]);
     return add_node(ir, &node, at);
 }
 
@@ -215,12 +226,6 @@ Ref ir_make(Ir *ir, IrNode made, const Ref *args)
     made.hash = hash_node(&made, args);
     Ref ref = find_or_add(ir, &made, args);
     return ir->simplify && !(ir->nodes[ref].flags & NODE_simple) ? ir->simplify(ir, ref) : ref;
-}
-
-bool ir_needs_neighbours(const Ir *ir, Ref ref)
-{
-    return ir_is(ir, ref, OP_call) &&
-           (ir_at(ir, ref)->payload == FN_imageSampled || ir_at(ir, ref)->payload == FN_imageCentred);
 }
 
 bool ir_is_number(const Ir *ir, Ref ref, double value)
@@ -360,7 +365,8 @@ void ir_measure(const Ir *ir, int *nodes, int *cost)
     Arena scratch = {0};
     double *function_cost = ARENA_ARRAY(&scratch, double, ir->function_count + 1), total = 0;
     function_costs(ir, &scratch, function_cost);
-    uint8_t *main_live = ARENA_ARRAY(&scratch, uint8_t, ir->count), *live = ir_live(ir, &scratch);
+    uint8_t *live = ir_live(ir, &scratch);
+    uint8_t *main_live = ir->function_count ? ARENA_ARRAY(&scratch, uint8_t, ir->count) : live;
     for (int i = 0; i < ir->output_count; i++)
         main_live[ir->outputs[i].value] = 1;
     *nodes = 0;
@@ -369,7 +375,7 @@ void ir_measure(const Ir *ir, int *nodes, int *cost)
         if (!main_live[ref])
             continue;
         total += ir_cost(ir, ref) + applied_cost(ir, ref, function_cost);
-        for (int i = 0; i < ir_at(ir, ref)->count; i++)
+        for (int i = 0; main_live != live && i < ir_at(ir, ref)->count; i++)
             main_live[ir_arg(ir, ref, i)] = 1;
     }
     *cost = total > INT32_MAX ? INT32_MAX : (int)total;

@@ -167,6 +167,9 @@ typedef struct Ir {
 } Ir;
 
 Ir *ir_new(Session *session, const Graph *graph);
+/* An IR with the same nodes, functions, textures and constants, and no outputs yet, in the session's arena. What is added to
+ * it does not show in the first one. ir_fork.c */
+Ir *ir_fork(const Ir *ir, Session *session);
 /* Gives back what passes worked with; the IR itself stays. */
 void ir_done(Ir *ir);
 
@@ -193,7 +196,11 @@ static inline void ir_set_head(Ir *ir, Ref ref, bool head)
 /* It runs a function of the program, which its payload numbers. */
 static inline bool ir_applies(const Ir *ir, Ref ref) { return op_payload[ir->nodes[ref].op] == PAYLOAD_function; }
 /* It takes differences between neighbouring pixels, which must all come by: it stands in no branch. */
-bool ir_needs_neighbours(const Ir *ir, Ref ref);
+static inline bool ir_needs_neighbours(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_call) &&
+           (ir_at(ir, ref)->payload == FN_imageSampled || ir_at(ir, ref)->payload == FN_imageCentred);
+}
 /* A constant all of whose lanes are `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 

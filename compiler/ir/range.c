@@ -8,7 +8,7 @@
 #include "runtime/library/references.h"
 #include <math.h>
 
-enum { MOST_GUARDS = 16, SEEN_SLOTS = 128 };
+enum { MOST_GUARDS = 16, SEEN_SLOTS = 128, MOST_LANES = 4 };
 
 typedef struct {
     Ref ref;
@@ -18,7 +18,6 @@ typedef struct {
 typedef struct Guards {
     Guard at[MOST_GUARDS];
     int count;
-    uint64_t marks; /* of the guarded nodes */
     uint32_t set;   /* these guards, and no others: each set that held has a number of its own */
     int steps;      /* left */
     int depth;      /* of nodes that are being looked at again */
@@ -56,6 +55,9 @@ static SeenLane *seen_slot(const Ranges *r, Ref ref, int lane)
     return &r->seen->slots[(ref * 4 + (Ref)lane) % SEEN_SLOTS];
 }
 
+/* Of a sampler, too, which has no lane, something is said. */
+static int lanes_of(const Ir *ir, Ref ref) { return ir_lanes(ir, ref) ? ir_lanes(ir, ref) : 1; }
+
 /* Of a node that is made of guarded ones, as its operands are where the guards hold. */
 static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
@@ -67,10 +69,16 @@ static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int lane)
     if (guards->depth == LIMIT_GUARD_DEPTH || guards->steps-- <= 0)
         return everything;
     guards->depth++;
-    const Interval found = range_computed(r, ir, ref, lane);
+    if (ir_is(ir, ref, OP_select)) {
+        Interval lanes[MOST_LANES];
+        range_select(r, ir, ref, lanes_of(ir, ref), lanes);
+        for (int i = 0; i < lanes_of(ir, ref); i++)
+            *seen_slot(r, ref, i) = (SeenLane){set, ref, i, lanes[i]};
+    } else {
+        *slot = (SeenLane){set, ref, lane, range_computed(r, ir, ref, lane)};
+    }
     guards->depth--;
-    *slot = (SeenLane){set, ref, lane, found};
-    return found;
+    return slot->found;
 }
 
 Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
@@ -78,8 +86,7 @@ Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
     const Guards *guards = r->guards;
     Interval kept = range_kept(r, ref, lane);
     bool guarded = false;
-    if (ref >= r->count || !(r->marks[ref] & guards->marks)) /* neither guarded nor made of what is */
-        return kept;
+    lane = r->place[ref].by_lane ? lane : 0; /* a number has one interval, whichever lane asks for it */
     for (int i = 0; i < guards->count; i++)
         if (guards->at[i].ref == ref) {
             kept = both(kept, guards->at[i].within);
@@ -108,39 +115,60 @@ static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *va
     return right || ir_is(ir, a, OP_const);
 }
 
-/* Where the side holds. */
-static Interval arm_range(const Ranges *r, const Ir *ir, Ref arm, int lane, Guard side)
+/* All lanes of an arm, where its side holds. */
+static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval found[MOST_LANES])
 {
     const Interval none = {INFINITY, -INFINITY};
+    const int lanes = lanes_of(ir, arm);
     side.within = both(range_of(r, ir, side.ref, 0), side.within);
-    if (is_empty(side.within))
-        return none; /* it is never taken */
+    if (is_empty(side.within)) { /* it is never taken */
+        for (int lane = 0; lane < lanes; lane++)
+            found[lane] = none;
+        return;
+    }
     Guards *guards = r->guards;
-    const uint64_t marks = guards->marks;
+    const uint64_t guarded = r->guarded;
     const uint32_t set = guards->set;
     guards->at[guards->count++] = side;
-    guards->marks |= range_mark(side.ref);
+    r->guarded |= range_mark(side.ref);
     guards->set = ++r->seen->sets;
-    Interval found = range_of(r, ir, arm, lane);
+    for (int lane = 0; lane < lanes; lane++)
+        found[lane] = range_of(r, ir, arm, lane);
     guards->count--;
-    guards->marks = marks;
+    r->guarded = guarded;
     guards->set = set;
-    return found;
 }
 
+/* Where nothing is known of the condition, or guards are not for this kind of interval. */
 static Interval select_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    return hull(range_of(r, ir, ir_arg(ir, ref, 1), lane), range_of(r, ir, ir_arg(ir, ref, 2), lane));
+}
+
+void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *found)
 {
     Ref value;
     Interval sides[2];
-    Guards own = {.steps = LIMIT_GUARD_STEPS};
-    Ranges with = *r;
     const Ref a = ir_arg(ir, ref, 1), b = ir_arg(ir, ref, 2);
-    if (!with.guards)
+    const bool full = r->guards && r->guards->count == MOST_GUARDS;
+    if (full || !read_condition(r, ir, ir_arg(ir, ref, 0), &value, sides)) {
+        for (int lane = 0; lane < lanes; lane++)
+            found[lane] = select_range(r, ir, ref, lane);
+        return;
+    }
+    Guards own; /* its list is not cleared: a program has many selects, and most have one guard */
+    Ranges with = *r;
+    if (!r->guards) {
+        own.count = own.depth = 0;
+        own.set = 0;
+        own.steps = lanes * LIMIT_GUARD_STEPS;
         with.guards = &own;
-    if (r->lanes == 1 || with.guards->count == MOST_GUARDS || !read_condition(r, ir, ir_arg(ir, ref, 0), &value, sides))
-        return hull(range_of(r, ir, a, lane), range_of(r, ir, b, lane));
-    return hull(arm_range(&with, ir, a, lane, (Guard){value, sides[0]}),
-                arm_range(&with, ir, b, lane, (Guard){value, sides[1]}));
+    }
+    Interval otherwise[MOST_LANES];
+    find_arm(&with, ir, b, (Guard){value, sides[1]}, otherwise);
+    find_arm(&with, ir, a, (Guard){value, sides[0]}, found);
+    for (int lane = 0; lane < lanes; lane++)
+        found[lane] = hull(found[lane], otherwise[lane]);
 }
 
 /* -- Operations */

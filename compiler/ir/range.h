@@ -17,6 +17,7 @@ typedef struct Ranges {
     Ref count;             /* of nodes when they were found last */
     int lanes;             /* 1: one for all lanes of a node; FIELD_LANES: one a lane */
     struct Guards *guards; /* under way: range.c */
+    uint64_t guarded;      /* marks of the nodes that they hold for; 0: there are none */
     struct Seen *seen;     /* while they hold; NULL: there are none */
     uint64_t *marks;       /* by Ref: of what conditions compare, what this node is made of; range_mark. NULL: likewise */
 } Ranges;
@@ -38,15 +39,19 @@ static inline Interval range_kept(const Ranges *r, Ref ref, int lane)
     return !place.first ? everything : r->of[place.first + (place.by_lane ? (uint32_t)lane : 0)];
 }
 Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane);
-/* Of a lane, or of all lanes together where that is all that is kept. What came later may be anything. */
+/* Interval of one component, or of their union if only that is stored. A node that was made since may be anything. Guards
+ * matter to the nodes that are made of guarded ones, which few operands are. */
 static inline Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
-    return r->guards ? range_guarded(r, ir, ref, lane) : range_kept(r, ref, lane);
+    const bool guarded = r->guarded && ref < r->count && r->marks[ref] & r->guarded;
+    return guarded ? range_guarded(r, ir, ref, lane) : range_kept(r, ref, lane);
 }
 /* A bit for a node that a condition compares: all but 64 share theirs. */
 static inline uint64_t range_mark(Ref ref) { return 1ull << (ref & 63); }
 /* Nothing was found yet while guards held. */
 struct Seen *range_seen_new(Arena *arena);
+/* Intervals of all components of a select at once, where each has its own: they share its guards. */
+void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *found);
 /* That which follows from the operands' by the node's operation. */
 Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane);
 #endif

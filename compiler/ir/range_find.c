@@ -40,8 +40,12 @@ static void compute(Ranges *r, const Ir *ir, Arena *arena, Ref ref)
 {
     const int lanes = kept_lanes(r, ir, ref);
     const RangePlace place = {(uint32_t)r->used, lanes > 1};
+    const bool at_once = r->marks && ir_is(ir, ref, OP_select);
+    Interval found[4];
+    if (at_once)
+        range_select(r, ir, ref, lanes, found);
     for (int lane = 0; lane < lanes; lane++) {
-        const Interval range = range_computed(r, ir, ref, lane);
+        const Interval range = at_once ? found[lane] : range_computed(r, ir, ref, lane);
         const bool none = isnan(range.low) || isnan(range.high);
         ARENA_PUSH(arena, r->of, r->used, r->room, none ? everything : range);
     }

@@ -11,7 +11,7 @@
 
 enum {
     WORTH_A_BRANCH = 40, /* scalar operations */
-    MOOT = 2,            /* payload of a guard that goes */
+    MOOT = 2,            /* payload of a guard that goes; it keeps its hash, since no guard is made any more */
 };
 
 typedef struct {
@@ -107,8 +107,5 @@ bool opt_guard(Ir *ir)
     for (Ref ref = 1; any && ref < ir->count; ref++)
         if (g.first[ref])
             judge(ir, &g, g.first[ref]);
-    if (!any)
-        return false;
-    ir_rehash(ir);
-    return ir_sweep(ir, settle, NULL);
+    return any && ir_sweep(ir, settle, NULL);
 }

@@ -1,0 +1,34 @@
+/* A copy of an IR that goes its own way: nodes that both programs need are made once.
+ *
+ *     the first program is mix(black, white, mean); its fork asks for the point: select(point, white, black)
+ *     black and white are found in the fork, mean stays in it without a user, and the first program knows no point */
+#include "compiler/ir/ir.h"
+
+#define COPY(list, count, room) \
+    copy->list = arena_copy(arena, ir->list, ir->count, ir->room, sizeof *ir->list)
+
+Ir *ir_fork(const Ir *ir, Session *session)
+{
+    Arena *arena = session->arena;
+    Ir *copy = arena_copy(arena, ir, 1, 1, sizeof *ir);
+    copy->session = session;
+    copy->arena = arena;
+    copy->scratch = copy->kept = (Arena){0};
+    copy->ranges = NULL;
+    copy->live = NULL;
+    copy->output_count = 0;
+    copy->held_room = 0;
+    COPY(nodes, count, room);
+    COPY(args, arg_count, arg_room);
+    COPY(numbers, number_count, number_room);
+    COPY(functions, function_count, function_room);
+    COPY(textures, texture_count, texture_room);
+    COPY(constants, constant_count, constant_room);
+    COPY(maps, map_count, map_room);
+    COPY(function_of, function_of_room, function_of_room);
+    copy->table = arena_copy(arena, ir->table, ir->mask + (size_t)1, ir->mask + (size_t)1, sizeof *ir->table);
+    copy->texture_index = hash_index_copy(arena, &ir->texture_index);
+    copy->constant_index = hash_index_copy(arena, &ir->constant_index);
+    copy->map_index = hash_index_copy(arena, &ir->map_index);
+    return copy;
+}
