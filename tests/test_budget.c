@@ -68,7 +68,7 @@ static double lowered_growth(Document *d, const Node *material, Pass pass)
     session.optimize = 1;
     const Job job = job_of("auto", pass);
     const LowerRequest what = {&session, d->graph, material, &job, opt_simplify};
-    const int plain = cost_of_lowered(lower_averaging(&what, 0, NULL));
+    const int plain = cost_of_lowered(lower_averaging(&(Lower){0}, &what, 0));
     return growth_of(cost_of_lowered(lower(&session, d->graph, material, &job, opt_simplify)), plain);
 }
 
@@ -136,6 +136,44 @@ static void means_cost_a_tenth(void **state)
     assert_true(costs.relief <= most_growth_of_relief);
     assert_true(costs.moved <= most_growth_of_moved);
     assert_true(costs.averaged > costs.programs / 20 && costs.averaged < costs.programs);
+}
+
+/* Whether the program of points costs as much beside one of means as by itself; false: it is not asked for there. */
+static bool check_points_beside_means(Document *d, const Node *material, Pass pass)
+{
+    Session session = d->session;
+    Lower l;
+    session.optimize = 1;
+    const Job job = job_of("auto", pass);
+    const LowerRequest what = {&session, d->graph, material, &job, opt_simplify};
+    Ir *means = lower_averaging(&l, &what, INT_MAX);
+    if (!means || !l.averageable.count || l.averageable.mingled || lower_displaced(material))
+        return false;
+    const int before = cost_of(means), beside = lower_cost_of_points(&l, material);
+    const int alone = cost_of_lowered(lower_averaging(&(Lower){0}, &what, 0));
+    if (beside != alone)
+        fail_msg("%s, pass %s: points cost %d beside means, %d alone", document_name(d), pass_table[pass].name, beside, alone);
+    assert_int_equal(cost_of_lowered(means), before);
+    return true;
+}
+
+static void points_cost_as_much_beside_means(void **state)
+{
+    (void)state;
+    static const Pass passes[] = {PASS_gbuffer, PASS_value, PASS_plane};
+    DocumentList list = documents_list(SOURCE_FOLDER);
+    int checked = 0;
+    for (int i = 0; i < list.count; i++) {
+        Document d;
+        const bool good = document_open(&d, list.paths[i]);
+        for (int material = 0; good && material < d.graph->material_count; material++)
+            for (size_t k = 0; k < sizeof passes / sizeof *passes; k++)
+                checked += check_points_beside_means(&d, d.graph->materials[material].node, passes[k]);
+        document_close(&d);
+    }
+    documents_free(&list);
+    print_message("%d programs\n", checked);
+    assert_true(checked > 50);
 }
 
 static void means_of_planes_cost_as_much_again(void **state)
@@ -243,14 +281,14 @@ static long visits_of(Document *d, int material, const char *aa)
 /* With all means there are; *maps is how many maps those are of. */
 static long visits_of_means(Document *d, int material, size_t *maps)
 {
-    MapList seen = {0};
+    Lower l;
     const Job job = job_of("auto", PASS_gbuffer);
     const LowerRequest what = {&d->session, d->graph, d->graph->materials[material].node, &job, count_visit};
     visits = 0;
-    Ir *ir = lower_averaging(&what, INT_MAX, &seen);
+    Ir *ir = lower_averaging(&l, &what, INT_MAX);
     if (ir)
         ir_done(ir);
-    *maps = seen.count;
+    *maps = l.averageable.count;
     return visits;
 }
 
@@ -261,7 +299,9 @@ static int most_lowerings(size_t maps) { return maps ? 3 + (int)ceil(log2((doubl
 static void examples_take_few_lowerings(void **state)
 {
     (void)state;
-    const double most_of_all = 1.6;
+    /* It was 1.6 while lowering made the nodes of a slot each time that one was asked for: 121,000 by auto for 84,000 by none.
+     * Now a slot is lowered once, and there are 81,000 for 47,000. */
+    const double most_of_all = 1.75;
     DocumentList list = documents_list(SOURCE_FOLDER);
     double all[2] = {0};
     for (int i = 0; i < list.count; i++) {
@@ -333,6 +373,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(means_cost_a_tenth),
+        cmocka_unit_test(points_cost_as_much_beside_means),
         cmocka_unit_test(means_of_planes_cost_as_much_again),
         cmocka_unit_test(checkers_and_waves_are_averaged),
         cmocka_unit_test(examples_take_few_lowerings),

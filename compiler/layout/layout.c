@@ -58,15 +58,7 @@ const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot)
     return NULL;
 }
 
-bool layout_has_slot(const LayoutRow *row, Slot slot)
-{
-    if (layout_fixed(row, slot))
-        return true;
-    for (int i = 0; i < row->case_count; i++)
-        if (layout_case_has_slot(&row->cases[i], slot) || layout_case_fixed(&row->cases[i], slot))
-            return true;
-    return false;
-}
+bool layout_has_slot(const LayoutRow *row, Slot slot) { return layout_slots(row) >> slot & 1; }
 
 static int plain_count(const LayoutRow *row) { return row->case_count - row->further_count; }
 
@@ -79,17 +71,22 @@ unsigned layout_case_slots(const CaseRow *row)
     return slots;
 }
 
-unsigned layout_stored(const LayoutRow *row)
+static unsigned fixed_slots(const FixedRow *fixed, int count)
 {
-    unsigned stored = 0;
-    for (int i = 0; i < row->case_count; i++) {
-        stored |= layout_case_slots(&row->cases[i]);
-        for (int k = 0; k < row->cases[i].fixed_count; k++)
-            stored |= 1u << row->cases[i].fixed[k].slot;
-    }
-    for (int i = 0; i < row->fixed_count; i++)
-        stored &= ~(1u << row->fixed[i].slot);
-    return stored;
+    unsigned slots = 0;
+    for (int i = 0; i < count; i++)
+        slots |= 1u << fixed[i].slot;
+    return slots;
+}
+
+unsigned layout_fixed_slots(const LayoutRow *row) { return fixed_slots(row->fixed, row->fixed_count); }
+
+unsigned layout_slots(const LayoutRow *row)
+{
+    unsigned slots = layout_fixed_slots(row);
+    for (int i = 0; i < row->case_count; i++)
+        slots |= layout_case_slots(&row->cases[i]) | fixed_slots(row->cases[i].fixed, row->cases[i].fixed_count);
+    return slots;
 }
 
 bool layout_is_whole(const LayoutRow *row)
@@ -231,7 +228,7 @@ const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *pla
         further_code(row, number - plain_count(row), &behind);
     Room room = {.taken = {{layout_case_bits(row) + behind}}};
     room.marked = further || (row->further_count && number == 0);
-    *placement = (Placement){0};
+    placement->count = 0;
     if ((layout_case_bits(row) || row->further_count) && !format_table[row->formats[0]].words)
         return &fields->fields[0]; /* nowhere to tell the cases apart */
     for (int i = 0; i < fields->field_count; i++) {

@@ -40,13 +40,15 @@ int layout_bytes(const LayoutRow *row); /* of a pixel */
 bool layout_has_words(const LayoutRow *row);
 /* What all materials of a case have the same of; NULL: it is stored, or absent. */
 const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot);
-/* The slot comes back: it is stored by any case, or fixed. */
+/* The slots that reading the layout gives back, a bit each: any case stores them, or they are fixed. */
+unsigned layout_slots(const LayoutRow *row);
+/* One of them. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
 /* At least a lane of it is stored by that case; a bit for each such slot. */
 bool layout_case_has_slot(const CaseRow *row, Slot slot);
 unsigned layout_case_slots(const CaseRow *row);
-/* Slots that come back and are not the same for all materials: a bit each. */
-unsigned layout_stored(const LayoutRow *row);
+/* Those of layout_slots that are the same for all materials. */
+unsigned layout_fixed_slots(const LayoutRow *row);
 /* A case stores every slot of the layout that is not fixed, so that every material has one. Where none does, what changes
  * nothing need not be stored. */
 bool layout_is_whole(const LayoutRow *row);

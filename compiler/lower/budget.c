@@ -6,9 +6,11 @@
  *     for a constant (docs/accuracy-gpu.md), since there is other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200
  *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
  *
- * A program that may be small, by the tables, is first made with all means: where they are free, or none, it is the one. Any other is made of
- * points, and what the mean of each map costs beside its point is known without a program of it (price.h): of that only what should fit is tried, all
- * means, or those that come first in the document. Most programs are lowered once, where none fits, too; where some fit, twice or so.
+ * Where the tables of grammar/ say that all means may fit, a program with them is made first. It is taken if they are free, or
+ * cost at most a tenth more than points. What points cost is counted in a fork of its IR, in which only what a mean is part of
+ * is lowered again. Any other program is made of points first. What the mean of each map costs beside its point is known
+ * without a program of it (price.h), and only what should fit is tried: all means, or those that come first in the document.
+ * Most programs are lowered once, also where none fits; where some fit, about twice.
  *
  * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass averages none: it compares with a threshold,
  * and of a mean that loses what is finer than a texel. A leaf of holes, half of it transparent by 0.7 and half by 0.1:
@@ -23,7 +25,9 @@
 
 enum {
     FREE_COST = 200, /* operations that a pixel has the time for anyway: 234 were measured to take none */
-    MOST_SLOW = 2    /* guesses after each other that may leave more than half */
+    MEAN_COST = 30,         /* operations of a mean, about: a Checker's has 32 more than its point */
+    LARGEST_GUESSED = 1000, /* by the tables; nothing is guessed of a program that costs more */
+    MOST_SLOW = 2           /* guesses after each other that may leave more than half */
 };
 static const double SURELY = 1.1, SURELY_MINGLED = 3; /* times what is left, by a mean's price: it does not fit */
 static const double most_growth = 1.1, most_growth_of_plane = 2;
@@ -32,6 +36,7 @@ static const double most_growth = 1.1, most_growth_of_plane = 2;
 typedef struct {
     Arena arena;
     Session session;
+    Lower lower;
     Ir *ir;       /* NULL: it failed, or went */
     MapList seen; /* the maps that may be averaged */
     int below;    /* which index they are */
@@ -58,7 +63,8 @@ static void try_below(Trial *trial, const LowerRequest *what, int below)
     trial->session.diags = copy_of_diags(&trial->arena, &what->session->diags);
     LowerRequest own = *what;
     own.session = &trial->session;
-    trial->ir = lower_averaging(&own, below, &trial->seen);
+    trial->ir = lower_averaging(&trial->lower, &own, below);
+    trial->seen = trial->lower.averageable;
     if (trial->ir && trial->seen.count)
         ir_measure(trial->ir, &nodes, &trial->cost);
 }
@@ -152,15 +158,38 @@ static double most_beside(const LowerRequest *what, int plain)
     return growth * (plain > FREE_COST ? plain : FREE_COST);
 }
 
-/* By the tables a program may be small enough that its means are free: one with all of them is the first to be made. */
-static bool may_be_free(const Node *material) { return lower_map_cost_below(material, FREE_COST) < FREE_COST; }
+/* What the tables say of the means of all maps: they may be free, or cost less than a tenth of the rest. */
+typedef enum { GUESS_many, GUESS_free, GUESS_fit } Guess;
+
+static Guess guess_by_tables(const Node *material)
+{
+    const MapCosts costs = lower_map_costs(material, LARGEST_GUESSED);
+    const double left = (most_growth - 1) * costs.points;
+    const bool whole = costs.points < LARGEST_GUESSED;
+    if (costs.points < FREE_COST)
+        return GUESS_free;
+    return whole && costs.averageable * MEAN_COST <= left ? GUESS_fit : GUESS_many;
+}
+
+/* Whether a program with all means is the one to take. False: only a program of points can tell, or is the one itself. */
+static bool surely_fits(const LowerRequest *what, const Trial *all, Guess guess)
+{
+    if (!all->ir || !all->seen.count || fits(all, most_beside(what, 0)))
+        return all->ir != NULL;
+    const bool own_slopes = all->seen.mingled || lower_displaced(what->material); /* what else asks for slopes finds them */
+    if (guess != GUESS_fit || own_slopes)
+        return false;
+    const int plain = lower_cost_of_points(&all->lower, what->material);
+    return plain >= 0 && fits(all, most_beside(what, plain));
+}
 
 /* The one to take, where points are made; of all means it is known what they cost; NAN: they were not tried. */
 static Trial *beside_points(const LowerRequest *what, Trial trials[2], double cost_of_all)
 {
     Trial *all = &trials[0], *plain = &trials[1];
     const double most = most_beside(what, plain->cost);
-    const double surely = plain->seen.mingled ? SURELY_MINGLED : SURELY;
+    const bool mingled = plain->seen.mingled || plain->lower.detached;
+    const double surely = mingled ? SURELY_MINGLED : SURELY;
     const double enough = isnan(cost_of_all) ? surely * (most - plain->cost) : INFINITY;
     const Prices prices = price_means(what, &plain->seen, enough);
     const bool within = prices.known == prices.count && prices.upto[prices.count] <= enough;
@@ -185,15 +214,27 @@ static Trial *beside_points(const LowerRequest *what, Trial trials[2], double co
     return most_that_fit(what, trials, most, b, prices.ends);
 }
 
+/* The one to take where points are made, and two maps that do not fit together: the first is tried for less than its price. */
+static Trial *first_of_two(const LowerRequest *what, Trial trials[2])
+{
+    Trial *one = &trials[0], *plain = &trials[1];
+    const int a = plain->seen.at[0].map->index, b = plain->seen.at[1].map->index;
+    try_below(one, what, (a < b ? a : b) + 1);
+    const bool fit = fits(one, most_beside(what, plain->cost));
+    drop(fit ? plain : one);
+    return fit ? one : plain;
+}
+
 /* The one to take, of two that are made here; the other one is dropped. */
 static Trial *affordable(const LowerRequest *what, Trial trials[2])
 {
     Trial *all = &trials[0], *plain = &trials[1];
     double cost_of_all = NAN;
-    const bool first = may_be_free(what->material);
+    const Guess guess = guess_by_tables(what->material);
+    const bool first = guess != GUESS_many;
     if (first) {
         try_below(all, what, INT_MAX);
-        if (all->ir && (!all->seen.count || fits(all, most_beside(what, 0))))
+        if (surely_fits(what, all, guess))
             return all;
         cost_of_all = all->ir ? all->cost : NAN;
     }
@@ -204,7 +245,9 @@ static Trial *affordable(const LowerRequest *what, Trial trials[2])
     }
     drop(all);
     const bool known = plain->seen.count <= (size_t)first; /* there is none, or one, which costs too much */
-    return plain->ir && !known ? beside_points(what, trials, cost_of_all) : plain;
+    if (!plain->ir || known)
+        return plain;
+    return first && plain->seen.count == 2 ? first_of_two(what, trials) : beside_points(what, trials, cost_of_all);
 }
 
 static bool may_average(const Job *job) { return job->choice[AXIS_aa] == CHOICE_aa_auto && job->pass != PASS_shadow; }
@@ -213,12 +256,12 @@ Ir *lower(Session *session, const Graph *graph, const Node *material, const Job 
 {
     const LowerRequest what = {session, graph, material, job, simplify};
     if (!may_average(job))
-        return lower_averaging(&what, 0, NULL);
+        return lower_averaging(&(Lower){0}, &what, 0);
     Trial trials[2] = {0};
     Trial *best = affordable(&what, trials);
     if (best->ir && session->optimize > 0)
         return take(best, session);
     const int below = best->ir ? best->below : 0;
     drop(best);
-    return lower_averaging(&what, below, NULL);
+    return lower_averaging(&(Lower){0}, &what, below);
 }

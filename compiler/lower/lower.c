@@ -3,7 +3,10 @@
 #include "compiler/lower/relief.h"
 #include <string.h>
 
-enum { LEAST_ARM = 40 }; /* scalar operations of a map from which on a choice of it may be a branch */
+enum {
+    LEAST_ARM = 40, /* scalar operations of a map from which on a choice of it may be a branch */
+    FIRST_MEMO = 32 /* slots of the first table of answers; a small document needs no more */
+};
 
 typedef Answer (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
 
@@ -71,7 +74,7 @@ Ref lower_as_group(Lower *l, Ref value, Group group)
 /* A table of its own kind: a slot holds the whole key and the answer, so that nothing else is read. */
 static void memo_grow(Lower *l)
 {
-    size_t size = l->memo ? 2 * (l->memo_mask + 1) : 256;
+    size_t size = l->memo ? 2 * (l->memo_mask + 1) : FIRST_MEMO;
     Memo *old = l->memo, *grown = ARENA_ARRAY(l->session->arena, Memo, size);
     for (size_t i = 0; old && i <= l->memo_mask; i++) {
         if (!old[i].key)
@@ -147,8 +150,10 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
         return relief_smooth(l, map, group, env);
     uint64_t key = ((uint64_t)(2 * env->number + env->relief) << 32 | (uint64_t)map->index) * GROUP_COUNT + group + 1;
     Memo *memo = memo_find(l, key);
-    if (memo->key)
+    if (memo->key && (l->averaged_below || !memo->averaged)) { /* points beside means take no mean */
+        l->averaged |= memo->averaged;
         return memo->answer;
+    }
     if (l->ir->count > LIMIT_IR_NODES) {
         if (!l->failed)
             diag_add(l->session, map->span, DIAG_graph_too_large, LIMIT_IR_NODES);
@@ -159,15 +164,18 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     const Node *above = l->map;
     l->ir->origin = ir_origin(l->ir, map);
     l->map = map;
+    const bool beside = l->averaged; /* maps that were asked before */
     if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind) && !l->filters)
         note_averageable(l, map, group, env);
+    l->averaged = l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_is_filtered(l);
     Answer answer = lower_map[map->kind](l, map, group, env);
     l->map = above;
     lower_mark_head(l->ir, answer.value, l->ir->origin);
     l->ir->origin = origin;
     memo = memo_find(l, key); /* the table may have moved */
-    *memo = (Memo){key, answer};
-    l->memo_count++;
+    l->memo_count += !memo->key;
+    *memo = (Memo){key, answer, l->averaged};
+    l->averaged |= beside;
     return answer;
 }
 
@@ -177,20 +185,29 @@ static int own_cost(const Node *map)
     return kind_table[map->kind].cost + (kind_table[map->kind].lowering == LOWERING_MATERIAL);
 }
 
-int lower_map_cost_below(const Node *map, int limit)
+static void add_costs(const Node *map, int limit, MapCosts *costs)
 {
-    int cost = map ? own_cost(map) : 0;
-    for (int i = 0; map && i < kind_table[map->kind].count && cost < limit; i++) {
+    costs->points += own_cost(map);
+    costs->averageable += footprint_may_average(map->kind);
+    for (int i = 0; i < kind_table[map->kind].count && costs->points < limit; i++) {
         const Value *value = &map->params[i];
         if (value->kind == VALUE_node)
-            cost += lower_map_cost_below(value->node, limit - cost);
-        for (int k = 0; value->kind == VALUE_items && k < value->items->count && cost < limit; k++)
-            cost += lower_map_cost_below(value->items->item[k].input, limit - cost);
+            add_costs(value->node, limit, costs);
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count && costs->points < limit; k++)
+            if (value->items->item[k].input)
+                add_costs(value->items->item[k].input, limit, costs);
     }
-    return cost;
 }
 
-bool lower_wants_branch(const Node *map) { return lower_map_cost_below(map, LEAST_ARM) >= LEAST_ARM; }
+MapCosts lower_map_costs(const Node *map, int limit)
+{
+    MapCosts costs = {0};
+    if (map)
+        add_costs(map, limit, &costs);
+    return costs;
+}
+
+bool lower_wants_branch(const Node *map) { return lower_map_costs(map, LEAST_ARM).points >= LEAST_ARM; }
 
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
 {

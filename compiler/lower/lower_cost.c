@@ -6,8 +6,9 @@
 int lower_cost_below(const Ir *ir, Ref ref, int limit)
 {
     enum { MOST_MET = 1024 };
-    Ref met[MOST_MET + UINT8_MAX] = {ref};
+    Ref met[MOST_MET + UINT8_MAX]; /* not cleared: most values are cheap, or met their limit soon */
     int cost = 0;
+    met[0] = ref;
     for (int from = 0, count = 1; from < count && cost < limit; from++) {
         const IrNode *node = ir_at(ir, met[from]);
         if (ir_applies(ir, met[from]) || count > MOST_MET)

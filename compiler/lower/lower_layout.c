@@ -9,7 +9,7 @@ static const double greatest_half = 65504;
 /* A Principled, in a layout that cannot tell it from a Phong. */
 static bool is_lit_as_phong(Lower *l, const Node *material, const Env *env)
 {
-    return !layout_has_slot(l->job->layout, SLOT_model) &&
+    return !(l->layout_slots >> SLOT_model & 1) &&
            !ir_is_number(l->ir, lower_slot(l, material, SLOT_model, env), MODEL_Phong);
 }
 
@@ -172,11 +172,14 @@ static bool is_lost(Lower *l, const CaseRow *of, const Node *material, Slot slot
     return fixed ? !is_given(l, material, fixed, env) : is_asked(l, l->job->layout, material, slot, env);
 }
 
-/* Of those that any case of the layout stores. */
-static unsigned lost_slots(Lower *l, int number, const Node *material, const Env *env)
+/* Slots that any case of the layout stores. */
+static unsigned stored_slots(const Lower *l) { return l->layout_slots & ~layout_fixed_slots(l->job->layout); }
+
+/* Slots among `stored`, those of the whole layout, that this case of it loses. */
+static unsigned lost_slots(Lower *l, int number, unsigned stored, const Node *material, const Env *env)
 {
     const CaseRow *of = &l->job->layout->cases[number];
-    const unsigned elsewhere = layout_stored(l->job->layout) & ~layout_case_slots(of);
+    const unsigned elsewhere = stored & ~layout_case_slots(of);
     unsigned lost = 0;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (elsewhere >> slot & 1)
@@ -187,8 +190,9 @@ static unsigned lost_slots(Lower *l, int number, const Node *material, const Env
 int lower_layout_case(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
+    const unsigned stored = stored_slots(l);
     int number = 0;
-    while (number < row->case_count && lost_slots(l, number, material, env))
+    while (number < row->case_count && lost_slots(l, number, stored, material, env))
         number++;
     return number;
 }
@@ -205,10 +209,11 @@ static const char *names_of(Lower *l, unsigned slots)
 int lower_nearest_case(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
+    const unsigned stored = stored_slots(l);
     int nearest = row->case_count, fewest = SLOT_COUNT + 1;
     unsigned least = 0;
     for (int number = 0; number < row->case_count && layout_is_whole(row); number++) {
-        const unsigned lost = lost_slots(l, number, material, env);
+        const unsigned lost = lost_slots(l, number, stored, material, env);
         const int count = __builtin_popcount(lost);
         if (lost >> SLOT_model & 1 || count >= fewest)
             continue;
@@ -224,7 +229,8 @@ int lower_nearest_case(Lower *l, const Node *material, const Env *env)
 void lower_left_out(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
-    if (layout_has_slot(row, SLOT_model) && !layout_has_slot(row, SLOT_coatNormal) && layout_is_whole(row) && !is_absent(l, material, SLOT_coatNormal, env))
+    const unsigned slots = l->layout_slots;
+    if (slots >> SLOT_model & 1 && !(slots >> SLOT_coatNormal & 1) && layout_is_whole(row) && !is_absent(l, material, SLOT_coatNormal, env))
         diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_loses, row->name, slot_table[SLOT_coatNormal].name);
 }
 
@@ -240,9 +246,10 @@ unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env)
 void lower_no_case(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
+    const unsigned stored = stored_slots(l);
     unsigned slots = 0;
     for (int slot = SLOT_normal + 1; slot < SLOT_COUNT; slot++)
-        if (layout_stored(row) >> slot & 1)
+        if (stored >> slot & 1)
             slots |= (unsigned)is_needed(l, material, (Slot)slot, env) << slot;
     diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_none, row->name, names_of(l, slots));
     l->failed = true;
@@ -303,7 +310,7 @@ static void check_model(Lower *l, const LayoutRow *row, const Node *material, co
     if (!is_lit_as_phong(l, material, env))
         return;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (!layout_has_slot(row, (Slot)slot) && slot_class_table[slot].matters >> SLOT_model & 1 && !is_absent(l, material, (Slot)slot, env))
+        if (!(l->layout_slots >> slot & 1) && slot_class_table[slot].matters >> SLOT_model & 1 && !is_absent(l, material, (Slot)slot, env))
             text_format(&slots, "%s, ", slot_table[slot].name);
     text_put(&slots, slot_table[SLOT_model].name);
     diag_add(l->session, material->span, DIAG_layout_model, row->name, slots.at);

@@ -330,11 +330,21 @@ Ref lower_stored_coat_normal(Lower *l, const Node *material, const Env *env)
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
+    SlotAnswer *asked = &l->asked[slot];
+    const bool beside = l->averaged;
     ir->origin = (uint32_t)(ORIGIN_SLOTS + slot);
+    const bool known = asked->value && asked->material == material && asked->number == env->number;
+    if (known && (l->averaged_below || !asked->averaged)) {
+        l->averaged |= asked->averaged;
+        return asked->value;
+    }
+    l->averaged = false;
     Ref value = slot == SLOT_normal       ? finished_normal(l, normal_of(l, material, env, false), env)
                 : slot == SLOT_coatNormal ? coat_normal_of(l, material, env, false)
                                           : lower_value_slot(l, material, lower_is_principled(l, material), slot, env);
     value = build_convert(ir, value, slot_table[slot].type);
     lower_mark_head(ir, value, ir->origin);
+    *asked = (SlotAnswer){material, env->number, l->averaged, value};
+    l->averaged |= beside;
     return value;
 }

@@ -134,7 +134,8 @@ Lower lower_start(const LowerRequest *what, int optimize)
                .ir = ir_new(what->session, what->graph),
                .job = job,
                .simplify = what->simplify,
-               .cheap = optimize > 0};
+               .cheap = optimize > 0,
+               .layout_slots = job->layout ? layout_slots(job->layout) : 0};
     l.ir->simplify = optimize > 0 ? what->simplify : NULL;
     l.ir->keep_pow = job->choice[AXIS_powers] == CHOICE_powers_pow;
     l.ir->noise = job_noise(job->choice[AXIS_noise], job->target);
@@ -147,7 +148,7 @@ Lower lower_start(const LowerRequest *what, int optimize)
 static void warn_left_out(Lower *l, const Node *material)
 {
     const LayoutRow *row = l->job->layout;
-    if (!l->cheap || row->case_count < 2 || !material || layout_has_slot(row, SLOT_coatNormal) || !(l->graph->models[material->index] & MODEL_LOBE(LOBE_coat)))
+    if (!l->cheap || row->case_count < 2 || !material || l->layout_slots >> SLOT_coatNormal & 1 || !(l->graph->models[material->index] & MODEL_LOBE(LOBE_coat)))
         return;
     Lower probe = lower_start(&(LowerRequest){l->session, l->graph, material, l->job, l->simplify}, 1);
     const Env own = lower_pass_env(&probe);
@@ -234,17 +235,40 @@ static void write_on_stack(void *user)
     write_pass(writing->l, writing->material);
 }
 
-Ir *lower_averaging(const LowerRequest *what, int below, MapList *seen)
+static bool write(Lower *l, const Node *material)
 {
-    const Node *material = what->material;
-    Lower l = lower_start(what, what->session->optimize);
-    l.averaged_below = below;
-    stack_run(material ? material->depth : 0, write_on_stack, &(Writing){&l, material});
-    if (seen)
-        *seen = l.averageable, seen->mingled |= l.detached;
-    if (l.failed)
+    stack_run(material ? material->depth : 0, write_on_stack, &(Writing){l, material});
+    return !l->failed;
+}
+
+Ir *lower_averaging(Lower *l, const LowerRequest *what, int below)
+{
+    *l = lower_start(what, what->session->optimize);
+    l->averaged_below = below;
+    if (!write(l, what->material))
         return NULL;
-    lower_doubt(&l);
-    slope_done(&l);
-    return l.ir;
+    lower_doubt(l);
+    slope_done(l);
+    return l->ir;
+}
+
+int lower_cost_of_points(const Lower *l, const Node *material)
+{
+    Arena arena = {0};
+    Session session = *l->session;
+    Lower points = *l;
+    int nodes, cost = -1;
+    session.arena = &arena;
+    session.diags = (DiagList){0};
+    points.session = &session;
+    points.ir = ir_fork(l->ir, &session);
+    points.averaged_below = 0;
+    points.slots = NULL;
+    if (write(&points, material)) {
+        slope_done(&points);
+        ir_measure(points.ir, &nodes, &cost);
+    }
+    ir_done(points.ir);
+    arena_free(&arena);
+    return cost;
 }

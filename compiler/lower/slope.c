@@ -377,9 +377,18 @@ static Ref attach(Ir *ir, Ref ref, const void *user)
     return ir_is(ir, ref, OP_detach) ? ir_arg(ir, ref, 0) : ref;
 }
 
+static bool has_marks(Ir *ir)
+{
+    const uint8_t *live = ir_live_kept(ir);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_detach) && live[ref])
+            return true;
+    return false;
+}
+
 void slope_done(Lower *l)
 {
-    if (l->detached)
+    if (l->detached && has_marks(l->ir))
         ir_sweep(l->ir, attach, NULL);
     arena_reset(&l->ir->scratch);
 }
