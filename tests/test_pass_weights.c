@@ -1,5 +1,5 @@
-/* Thresholds and weights of passes: functions of pass_history.glsl, pass_smooth.glsl and
- * shadow.glsl alone, with formulas in the place of textures, against the same rules written in
+/* Thresholds and weights of passes: functions of pass_history.glsl, pass_smooth.glsl, shadow.glsl
+ * and indirect_mask.glsl alone, with formulas in the place of textures, against the same rules written in
  * double from their comments. What a picture shows of them is within its noise. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const char render_text_pass_history[], render_text_pass_smooth[], render_text_shadow[];
+extern const char render_text_pass_history[], render_text_pass_smooth[], render_text_shadow[],
+    render_text_indirect_mask[];
 
 enum { SIDE = 32 };
 
@@ -264,11 +265,64 @@ static void cascades_give_way_in_a_band(void **state)
         }
 }
 
+/* -- Sectors ----------------------------------------------------------------------------------- */
+
+/* x: the place of an angle from -90 to 90 degrees among the sectors, by column, where the normal
+ * leans by the row; y: how many bits lie between the column and twice that and a half; z: bits of a
+ * word of 0xFFFFFFFF over the column; w: that the column's bit is one by itself,
+ * and that those before it are so many. */
+static const char sector_body[] =
+    "vec4 passPixel(ivec2 p) { float g = radians(5.0 * float(p.y) - 77.5), quarter = "
+    "radians(90.0);\n"
+    "    IndirectSlice s = IndirectSlice(vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), g, 0.0, 0.0);\n"
+    "    s.left = indirectPrimitive(g - quarter, g); s.all = s.left + indirectPrimitive(g + "
+    "quarter, g);\n"
+    "    float t = radians(-90.0 + 180.0 * float(p.x) / 31.0), x = float(p.x);\n"
+    "    uint bits = indirectBits(x + 0.9, 2.0 * x + 0.5), from = indirectBits(x + 0.1, x + 1.6);\n"
+    "    return vec4(indirectSector(s, t), indirectCount(bits), indirectCount(0xFFFFFFFFu >> "
+    "uint(p.x)),\n"
+    "                float(from == 1u << uint(p.x) && indirectCount(indirectBits(0.2, x + 0.5)) == "
+    "x)); }\n";
+
+/* The integral of cos(t - g) |sin t| by small steps. */
+static double weight_between(double low, double high, double g)
+{
+    enum { STEPS = 2000 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; i++) {
+        const double t = low + (high - low) * (i + .5) / STEPS;
+        sum += cos(t - g) * fabs(sin(t)) * (high - low) / STEPS;
+    }
+    return sum;
+}
+
+static void sectors_count_alike(void **state)
+{
+    (void)state;
+    static float values[SIDE * SIDE][4];
+    const double quarter = acos(0);
+    char *functions =
+        cut(render_text_indirect_mask, "float indirectPrimitive", "vec4 indirectAround");
+    run((const char *const[]){functions, sector_body, NULL, NULL}, values);
+    free(functions);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const int x = i % SIDE, last = 2 * x < 32 ? 2 * x : 32;
+        const double g = (5. * (i / SIDE) - 77.5) * quarter / 90;
+        const double t = fmin(fmax(-quarter + 2 * quarter * x / 31, g - quarter), g + quarter);
+        const double place =
+            32 * weight_between(g - quarter, t, g) / weight_between(g - quarter, g + quarter, g);
+        assert_true(fabs((double)values[i][0] - place) < 2e-3);
+        assert_true(values[i][1] == (float)(last > x ? last - x : 0));
+        assert_true(values[i][2] == (float)(32 - x) && values[i][3] == 1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(history_keeps_the_same_surface),
                                        cmocka_unit_test(history_is_brought_near_what_rays_find),
                                        cmocka_unit_test(denoiser_weighs_by_surface_and_noise),
-                                       cmocka_unit_test(cascades_give_way_in_a_band)};
+                                       cmocka_unit_test(cascades_give_way_in_a_band),
+                                       cmocka_unit_test(sectors_count_alike)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
