@@ -1,0 +1,119 @@
+/* Limits of scenes, each at its border and one beyond it: scene.h and scene_area.h name them,
+ * docs/stability.md lists them. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/scene/scene_area.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Reads a scene; NULL: its diagnostics, from malloc, are in *why. */
+static Scene *read(const char *text, MatcDocument **document)
+{
+    MatcOptions options;
+    Scene *scene = NULL;
+    matc_options_init(&options);
+    *document = scene_read("scene.yaml", text, strlen(text), &options, &scene);
+    return scene;
+}
+
+/* A scene that is read, and one that is refused in these words. */
+static void assert_border(const char *fine, const char *beyond, const char *words)
+{
+    MatcDocument *document;
+    Scene *scene = read(fine, &document);
+    if (!scene)
+        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
+    scene_free(scene);
+    matc_document_free(document);
+    scene = read(beyond, &document);
+    if (scene || !strstr(matc_diagnostics(document, MATC_TEXT), words))
+        fail_msg("not '%s': %s", words, matc_diagnostics(document, MATC_TEXT));
+    scene_free(scene);
+    matc_document_free(document);
+}
+
+/* `count` times a line. */
+static char *repeat(char *to, const char *line, int count)
+{
+    for (int i = 0; i < count; i++)
+        to += sprintf(to, "%s", line);
+    return to;
+}
+
+static void planes(void **state)
+{
+    (void)state;
+    static char texts[2][1 << 16];
+    for (int i = 0; i < 2; i++) {
+        char *to = texts[i] + sprintf(texts[i], "lights: [{ light: Ambient }]\nobjects:\n");
+        repeat(to, "- { object: Plane, material: { material: Phong } }\n", 256 + i);
+    }
+    assert_border(texts[0], texts[1], "more than 256 planes");
+}
+
+/* Groups that hold nothing, a thousand by an alias: 1,023 times one of 1,024, and 1,024 by
+ * themselves; a Group counts, too. */
+static void objects_and_groups(void **state)
+{
+    (void)state;
+    static char texts[2][1 << 18];
+    for (int i = 0; i < 2; i++) {
+        char *to = texts[i] + sprintf(texts[i], "lights: [{ light: Ambient }]\nobjects:\n"
+                                                "- object: Group\n  objects: &many\n");
+        to = repeat(to, "  - { object: Group, objects: [] }\n", 1023);
+        to = repeat(to, "- { object: Group, objects: *many }\n", 1022);
+        repeat(to, "- { object: Group, objects: [] }\n", 1024 + i);
+    }
+    assert_border(texts[0], texts[1], "more than 1048576 objects and groups");
+}
+
+/* A sphere of n steps counts as n * n triangles: 64 of 1,024 steps are all that there may be. */
+static void triangles(void **state)
+{
+    (void)state;
+    static char texts[2][1 << 16];
+    for (int i = 0; i < 2; i++) {
+        char *to = texts[i] + sprintf(texts[i], "lights: [{ light: Ambient }]\nobjects:\n");
+        for (int k = 0; k < 64; k++)
+            to += sprintf(to,
+                          "- { object: Sphere, radius: %d, detail: 1024, "
+                          "material: { material: Phong } }\n",
+                          k + 1);
+        repeat(to, "- { object: Parallelogram, material: { material: Phong } }\n", i);
+    }
+    assert_border(texts[0], texts[1], "more than 67108864 triangles in meshes that differ");
+}
+
+/* An Area is cut 10,000 times the camera's distance from its target, 5 here, to each side of the
+ * camera's foot on the light's plane. */
+static void edges_of_an_area(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        char text[512];
+        MatcDocument *document;
+        snprintf(text, sizeof text,
+                 "camera: { camera: Perspective, position: [0, -3, 4], target: [0, 0, 0] }\n"
+                 "lights: [{ light: Area, position: [-50000, -50003, 0], u: [%d, 0, 0], v: [0, "
+                 "100000, 0] }]\n",
+                 100000 + i);
+        Scene *scene = read(text, &document);
+        if (!scene)
+            fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
+        assert_true(scene_area_cuts(scene) == (i == 1));
+        scene_free(scene);
+        matc_document_free(document);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(planes), cmocka_unit_test(objects_and_groups), cmocka_unit_test(triangles),
+        cmocka_unit_test(edges_of_an_area)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
