@@ -63,7 +63,7 @@ static void through_glass(void **state)
                  k == 4  ? "glow: true, tiles"
                  : k % 2 ? "tiles"
                          : "glow",
-                 k / 2 % 2 * 3);
+                 k == 4 ? -6 : k / 2 % 2 * 3);
         float *shown = draw(gl, text, 1 + k / 2 % 2, k == 3);
         for (int i = 0; i < 3 * WIDTH * HEIGHT; i++) {
             const int x = i / 3 % WIDTH, y = i / 3 / WIDTH, lane = i % 3;
