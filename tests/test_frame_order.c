@@ -132,8 +132,46 @@ static void runs_in_turns(void **state)
     frame_forget(scene, document);
 }
 
+/* Slanted panes whose middles lie in the opposite order of what a pixel sees: each is a run of its
+ * own, and all have to be sorted. The camera looks along y; pane i crosses its sight at y = i / 10,
+ * and has its middle aside at y = -i / 10. Every third glows, so that the sum is a closed form. */
+static void every_layer_is_a_run(void **state)
+{
+    (void)state;
+    enum { RUNS = 48 };
+    static char text[1 << 16];
+    static const double passes[3] = {.9, .8, .95};
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    char *to = text + sprintf(text, "image: { width: %d, height: %d }\ncamera: { camera: Orthographic, "
+                                    "position: [0, -40, 0], target: [0, 0, 0], size: .2, depth: 100 }\nobjects:\n",
+                              SIDE, SIDE);
+    for (int i = 0; i < RUNS; i++)
+        to += sprintf(to, "- { object: Parallelogram, u: [30, 30, 0], v: [0, 0, 2], transform: { translation: "
+                          "[%g, %g, -1] }, material: { material: Phong, diffuse: 0, emissive: %d, "
+                          "transparency: [%g, %g, %g] } }\n",
+                      -15 - .2 * i, -15 - .1 * i, i % 3 == 0, passes[i % 3], passes[(i + 1) % 3], passes[(i + 2) % 3]);
+    Scene *scene = frame_scene(text, &options, &document);
+    float *lit = frame_floats(gl, scene,
+                              &(RenderOptions){.compile = &options, .view = "light", .transparency = "lists"});
+    double left[3] = {1, 1, 1}, sum[3] = {0};
+    for (int i = 0; i < RUNS; i++)
+        for (int lane = 0; lane < 3; lane++) {
+            sum[lane] += i % 3 == 0 ? left[lane] : 0;
+            left[lane] *= passes[(i + lane) % 3];
+        }
+    for (int i = 0; i < LANES; i++)
+        if (i % 4 < 3)
+            assert_true(fabs((double)lit[i] - sum[i % 4]) < .002 * sum[i % 4]);
+    free(lit);
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(farthest_first), cmocka_unit_test(runs_in_turns)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(farthest_first), cmocka_unit_test(runs_in_turns),
+                                       cmocka_unit_test(every_layer_is_a_run)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
