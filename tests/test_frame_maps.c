@@ -1,0 +1,87 @@
+/* How many shadow maps a light has, and how near to a light something still casts a shadow: the
+ * limits that scene.def and shadow_views.c name. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 16, TEXT = 1024 };
+#define PICTURE "image: { width: 16, height: 16 }\nshadowMaps: { size: 64 }\n"
+
+/* "A spot has one map, from 120 degrees on six, as a point has; a directional light as many as
+ * cascades." */
+static void lights_have_their_maps(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *light;
+        int maps;
+    } rows[] = {{"light: Spot, innerAngle: 10, outerAngle: 59.9", 1},
+                {"light: Spot, innerAngle: 10, outerAngle: 60.1", 6},
+                {"light: Point", 6},
+                {"light: Directional", 3},
+                {"light: Directional, shadows: none", 0}};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[TEXT];
+        MatcDocument *document;
+        snprintf(text, sizeof text,
+                 PICTURE
+                 "lights: [{ %s%s }]\nobjects: [{ object: Box, material: { material: Phong } }]\n",
+                 rows[i].light, strstr(rows[i].light, "Direct") ? "" : ", position: [0, 0, 4]");
+        Scene *scene = frame_scene(text, &options, &document);
+        scene->shadow_cascades = 3;
+        Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
+        free(frame_floats_by(gl, render, scene));
+        if (render_map_count(render) != rows[i].maps)
+            fail_msg("%s: %d maps", rows[i].light, render_map_count(render));
+        render_close(render);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+/* A lid so close to a lamp that the floor's farthest corner is a thousand times as far away hides
+ * the floor below it; at a ten-thousandth of that it is nearer than maps know. */
+static void near_things_cast_shadows(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (int i = 0; i < 2; i++) {
+        const double below = i ? .007 : .07;
+        char text[TEXT];
+        MatcDocument *document;
+        snprintf(
+            text, sizeof text,
+            PICTURE
+            "camera: { camera: Perspective, position: [0, -20, 5], target: [0, 0, 0], angle: 4 }\n"
+            "lights: [{ light: Point, position: [0, 0, 10], intensity: 100 }]\nobjects:\n"
+            "- { object: Box, size: [100, 100, 1], material: { material: Phong, diffuse: 1 }, "
+            "transform: { translation: [0, 0, -.5] } }\n"
+            "- { object: Parallelogram, u: [%g, 0, 0], v: [0, %g, 0], material: { material: "
+            "Phong }, transform: { translation: [%g, %g, %g] } }\n",
+            below, below, -below / 2, -below / 2, 10 - below);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *light =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        const float middle = light[4 * (SIDE / 2 * SIDE + SIDE / 2)];
+        assert_true(i ? middle > .9f : middle == 0);
+        free(light);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lights_have_their_maps),
+                                       cmocka_unit_test(near_things_cast_shadows)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
