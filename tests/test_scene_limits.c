@@ -1,11 +1,12 @@
-/* Limits of scenes, each at its border and one beyond it: scene.h and scene_area.h name them,
- * docs/stability.md lists them. */
+/* Limits of scenes, each at its border and one beyond it: scene.h, scene_area.h and scene_origin.c
+ * name them, docs/stability.md lists those that an author may meet. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "runtime/scene/scene_area.h"
+#include "runtime/scene/scene_origin.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -110,10 +111,36 @@ static void edges_of_an_area(void **state)
     }
 }
 
+/* The origin stays the world's while the camera is within 16 times its distance from its target, 5
+ * here, of it, and where it is until the camera has gone 1,024 times that. */
+static void origins_near_cameras(void **state)
+{
+    (void)state;
+    static const double places[2] = {80, 80.1}, travels[2] = {5120, 5121};
+    for (int i = 0; i < 2; i++) {
+        char text[512];
+        MatcDocument *document;
+        snprintf(text, sizeof text,
+                 "camera: { camera: Perspective, position: [%g, 0, 0], target: [%g, 5, 0] }\n"
+                 "lights: [{ light: Ambient }]\n"
+                 "objects: [{ object: Box, material: { material: Phong } }]\n",
+                 places[i], places[i]);
+        Scene *scene = read(text, &document);
+        if (!scene)
+            fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
+        assert_true(scene_origin_used(scene) == (i == 1));
+        SceneCamera camera = scene->camera;
+        camera.position[0] = camera.target[0] = travels[i];
+        assert_true(scene_origin_follow(scene, &camera) == (i == 1));
+        scene_free(scene);
+        matc_document_free(document);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planes), cmocka_unit_test(objects_and_groups), cmocka_unit_test(triangles),
-        cmocka_unit_test(edges_of_an_area)};
+        cmocka_unit_test(edges_of_an_area), cmocka_unit_test(origins_near_cameras)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
