@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/indirect/indirect_state.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"
 #include <stdlib.h>
@@ -12,7 +13,7 @@
 static int lane_seen(const FrameVoxelsDrawn *d, int pixel, int width, int height)
 {
     const SceneCamera *camera = &d->scene->camera;
-    const VoxelGrid *grid = &d->render->voxels.grid;
+    const VoxelGrid *grid = &d->render->voxels->grid;
     const double half = camera->half, step = .02;
     const double x = (2 * (pixel % width) + 1 - width) * half / height,
                  y = (2 * (pixel / width) + 1 - height) * half / height;

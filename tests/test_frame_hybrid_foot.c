@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/shadow_pair.h"
 #include <math.h>
@@ -97,7 +98,7 @@ static void light_comes_through_at_a_foot(void **state)
         scene->objects[0].kind = SCENE_Mesh;
         scene->objects[0].mesh = 0;
         const double begin = begin_by(&pair, scene, WORD_Shadows_hybrid);
-        const double wall = wall_at(&pair.renders[0]->shadows.views.views[0], scene->shadow_size, &gap);
+        const double wall = wall_at(&pair.renders[0]->shadows->views.views[0], scene->shadow_size, &gap);
         print_message("a centre at %.4f: the floor is dark from %.4f on, by the closed form %.4f\n", gap, begin, wall);
         assert_true(fabs(begin - wall) < 1.2 / 640);
         assert_true(begin_by(&pair, scene, WORD_Shadows_exact) < 1.2 / 640);

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/indirect/indirect_state.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_running.h"
@@ -173,11 +174,11 @@ static void nodes_are_made_when_needed(void **state)
         Scene *scene = frame_scene(text, &options, &document);
         Render *render = render_open(gl, &how);
         assert_true(render && render_scene(render, scene) && render_frame(render));
-        assert_int_equal(render->radiance.drawn, cases[i].has);
+        assert_int_equal(render->radiance->drawn, cases[i].has);
         scene->time = 2;
         assert_true(render_changed(render, RENDER_TIME));
-        assert_int_equal(render->radiance.drawn, cases[i].has && !cases[i].by_time);
-        assert_true(render->voxels.drawn);
+        assert_int_equal(render->radiance->drawn, cases[i].has && !cases[i].by_time);
+        assert_true(render->voxels->drawn);
         float *as_new = frame_floats(gl, scene, &how), *rgba = malloc(sizeof *rgba * 4 * 32 * 32);
         assert_true(rgba && render_frame(render) && render_read(render, rgba));
         assert_memory_equal(as_new, rgba, sizeof *rgba * 4 * 32 * 32);

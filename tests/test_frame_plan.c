@@ -183,7 +183,7 @@ static unsigned passes_of(const char *const *names)
     unsigned passes = 0;
     for (; *names; names++) {
         int i = 0;
-        while (i < frame_pass_count() && strcmp(frame_passes[i].plan.name, *names) != 0)
+        while (i < frame_pass_count() && strcmp(frame_pass(i)->plan.name, *names) != 0)
             i++;
         assert_true(i < frame_pass_count());
         passes |= 1u << i;
@@ -199,7 +199,7 @@ static FramePlan plan_of_frame(unsigned allowed, FrameTarget wanted)
     FramePlanTarget targets[FRAME_TARGET_COUNT];
     FramePlan plan;
     for (int i = 0; i < frame_pass_count(); i++)
-        rows[i] = frame_passes[i].plan;
+        rows[i] = frame_pass(i)->plan;
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
         targets[i] = (FramePlanTarget){1, {i == FRAME_TARGET_layer ? FRAME_TARGET_gbuffer : i}};
     frame_plan(&(FramePlanRequest){rows, frame_pass_count(), allowed, 1u << wanted, targets, FRAME_TARGET_COUNT},

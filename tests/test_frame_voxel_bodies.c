@@ -57,7 +57,7 @@ static double most_open(const FrameVoxelsDrawn *d)
         }
         for (int k = 0; k < 3; k++)
             normal[k] /= sqrt(length);
-        voxel_points_set(&points, i, &d->render->voxels.grid, at, normal);
+        voxel_points_set(&points, i, &d->render->voxels->grid, at, normal);
     }
     if (!voxel_points_open(d->render, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
         fail_msg("%s", d->gl->error);
@@ -80,7 +80,7 @@ static void nothing_gets_out_of_a_room_of_boxes(void **state)
         FrameVoxelsDrawn d = frame_voxels_drawn(room, SIZE);
         const double open = most_open(&d);
         print_message("walls of %.2f voxels, in %d waves: of a point's rays %g get out\n",
-                      walls[i] * 3.4 / SIZE / d.render->voxels.grid.edge, d.render->voxels.wave_count, open);
+                      walls[i] * 3.4 / SIZE / d.render->voxels->grid.edge, d.render->voxels->wave_count, open);
         assert_true(open == 0);
         frame_voxels_forget(&d);
     }
@@ -110,13 +110,13 @@ static void what_crosses_is_full(void **state)
                            "- { object: Box, material: m, transform: { translation: [%g, %g, %g] } }\n", middles[i][0],
                            middles[i][1], middles[i][2]);
     FrameVoxelsDrawn d = frame_voxels_drawn(text, SIZE);
-    assert_int_equal(d.render->voxels.wave_count, 3);
+    assert_int_equal(d.render->voxels->wave_count, 3);
     for (int i = 0; i < SIZE * SIZE * SIZE; i++) {
         const int at[3] = {i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE};
         double place[3], near = INFINITY;
         bool within = false;
         for (int k = 0; k < 3; k++)
-            place[k] = d.render->voxels.grid.low[k] + (at[k] + .5) * d.render->voxels.grid.edge;
+            place[k] = d.render->voxels->grid.low[k] + (at[k] + .5) * d.render->voxels->grid.edge;
         for (int k = 0; k < BOXES; k++)
             within |= is_within(place, middles[k], .5, &near);
         full += within;
@@ -169,7 +169,7 @@ static void hostile_scenes_give_voxels(void **state)
     FrameVoxelsDrawn d = frame_voxels_drawn(many, SIZE);
     int surfaces = 0;
     for (int i = 0; i < 20; i++)
-        surfaces += !voxel_bodies_is_body(&d.render->voxels, i);
+        surfaces += !voxel_bodies_is_body(d.render->voxels, i);
     assert_int_equal(surfaces, 20 - VOXELS_WAVES_MOST);
     assert_true(frame_voxels_bit(&d, (int[]){SIZE / 2, SIZE / 2, SIZE / 2}));
     frame_voxels_forget(&d);

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/indirect/indirect_state.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"
 #include <math.h>
@@ -156,7 +157,7 @@ static int expected(const VoxelGrid *grid, const int at[3])
 static void voxels_are_empty_where_it_is_cut_away(void **state)
 {
     const Drawn *d = *state;
-    const VoxelGrid *grid = &d->voxels.render->voxels.grid;
+    const VoxelGrid *grid = &d->voxels.render->voxels->grid;
     int full = 0, empty = 0, either = 0, wrong = 0;
     for (int i = 0; i < SIZE * SIZE * SIZE; i++) {
         const int at[3] = {i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE};
@@ -188,14 +189,14 @@ static void programs_are_those_of_cut_outs(void **state)
     }
     assert_int_equal(cut, 2);
     for (int i = 0; i < render->cache.place_count; i++)
-        assert_true(render->cache.places[i].cut < 0 || !render->voxels.waves[i]);
+        assert_true(render->cache.places[i].cut < 0 || !render->voxels->waves[i]);
 }
 
 /* The ball's skin is there, in part, and nothing within. */
 static void balls_with_holes_are_hollow(void **state)
 {
     const Drawn *d = *state;
-    const VoxelGrid *grid = &d->voxels.render->voxels.grid;
+    const VoxelGrid *grid = &d->voxels.render->voxels->grid;
     static const double middle[3] = {-1.3, 1.3, 1.3};
     int skin = 0, bare = 0;
     for (int i = 0; i < SIZE * SIZE * SIZE; i++) {

@@ -56,7 +56,7 @@ static void remove_shell(const ShellFile *shell) { assert_true(!remove(shell->pa
 /* All as surfaces, by compute where that is for them, or by the rasteriser. */
 static uint32_t *draw_surfaces(FrameVoxelsDrawn *d, bool compute)
 {
-    FrameVoxels *voxels = &d->render->voxels;
+    FrameVoxels *voxels = d->render->voxels;
     for (int i = 0; i < d->render->cache.place_count; i++)
         voxels->waves[i] = compute ? voxel_bodies_surface(d->render, i) : 0;
     voxels->wave_count = 0;
@@ -99,7 +99,7 @@ static void fine_surfaces_are_the_rasterisers(void **state)
             uint32_t *fine = draw_surfaces(&d, true);
             int taken = 0;
             for (int place = 0; place < d.render->cache.place_count; place++)
-                taken += d.render->voxels.waves[place] == VOXELS_FINE;
+                taken += d.render->voxels->waves[place] == VOXELS_FINE;
             uint32_t *drawn = draw_surfaces(&d, false);
             const int all = count_bits(&d, drawn, NULL), more = count_bits(&d, fine, drawn),
                       less = count_bits(&d, drawn, fine);
@@ -152,7 +152,7 @@ static void nothing_gets_between_triangles(void **state)
         FrameVoxelsDrawn d = frame_voxels_drawn(text, SIZE);
         free(d.words);
         d.words = draw_surfaces(&d, true);
-        assert_int_equal(d.render->voxels.waves[0], VOXELS_FINE);
+        assert_int_equal(d.render->voxels->waves[0], VOXELS_FINE);
         flood(&d);
         const int full = count_bits(&d, d.words, NULL), edge = SIZE - AROUND;
         print_message("turn %d: %d full\n", (int)i, full);

@@ -53,7 +53,7 @@ static Place place_of(int size)
     p.scene = frame_scene(text, &p.options, &p.document);
     p.render = render_open(p.gl, &(RenderOptions){.compile = &p.options, .view = "voxels"});
     assert_true(p.render && render_scene(p.render, p.scene) && render_frame(p.render));
-    const VoxelGrid *grid = &p.render->voxels.grid;
+    const VoxelGrid *grid = &p.render->voxels->grid;
     p.radius = .25 * grid->edge * (grid->size - 2);
     return p;
 }
@@ -95,7 +95,7 @@ static void make_points(const Place *p)
             continue;
         for (int k = 0, away = reference_dot(hit.facet, ray.way) > 0; k < 3; k++)
             hit.facet[k] *= away ? -1 : 1;
-        voxel_points_set(&points, i, &p->render->voxels.grid, hit.world, hit.facet);
+        voxel_points_set(&points, i, &p->render->voxels->grid, hit.world, hit.facet);
         truth[i] = open_by_rays(p, &tracer, &hit, i);
     }
     reference_close(&tracer);
@@ -106,7 +106,7 @@ static void by_voxels(const Place *p, double off)
     VoxelPointsPass pass;
     if (!voxel_points_open(p->render, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
         fail_msg("%s", p->gl->error);
-    voxel_points_run(p->render, &pass, (float)(p->radius / p->render->voxels.grid.edge), (float)off);
+    voxel_points_run(p->render, &pass, (float)(p->radius / p->render->voxels->grid.edge), (float)off);
     assert_true(framebuffer_read(p->gl, &pass.target, 0, said[0]));
     voxel_points_close(p->render, &pass);
 }
@@ -135,7 +135,7 @@ static Result compare(void)
 /* Bodies are surfaces from now on. */
 static void make_surfaces(Place *p)
 {
-    FrameVoxels *voxels = &p->render->voxels;
+    FrameVoxels *voxels = p->render->voxels;
     for (int i = 0; i < p->render->cache.place_count; i++) {
         assert_true(voxel_bodies_is_body(voxels, i));
         voxels->waves[i] = voxel_bodies_surface(p->render, i);

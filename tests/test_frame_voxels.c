@@ -27,7 +27,7 @@ typedef struct {
 /* Of objects of one sort. */
 static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
 {
-    const VoxelGrid *grid = &d->render->voxels.grid;
+    const VoxelGrid *grid = &d->render->voxels->grid;
     Triangles made = {.count = 0};
     made.corners = malloc(sizeof *made.corners * 8192);
     made.owners = malloc(sizeof *made.owners * 8192);
@@ -35,7 +35,7 @@ static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
         const SceneObject *object = &d->scene->objects[i];
         const double *m = object->world_from_local.m;
         Shape shape;
-        if (voxel_bodies_is_body(&d->render->voxels, d->render->cache.place_of[i]) == sheets)
+        if (voxel_bodies_is_body(d->render->voxels, d->render->cache.place_of[i]) == sheets)
             continue;
         assert_true(scene_solid(object, &shape));
         for (int k = 0; k < shape.index_count; k++) {
@@ -160,7 +160,7 @@ static Count compare(const FrameVoxelsDrawn *d, const Expected *e)
 
 static void make_surfaces(FrameVoxelsDrawn *d)
 {
-    FrameVoxels *voxels = &d->render->voxels;
+    FrameVoxels *voxels = d->render->voxels;
     for (int i = 0; i < d->render->cache.place_count; i++)
         voxels->waves[i] = voxel_bodies_surface(d->render, i);
     voxels->wave_count = 0;
@@ -215,8 +215,8 @@ static void levels_are_those_below(void **state)
         FrameVoxelsDrawn d = frame_voxels_drawn(FRAME_VOXELS_BODIES FRAME_VOXELS_SHEETS, sizes[i]);
         const int words = d.size / 32;
         uint32_t *below = frame_voxels_level(&d, 0);
-        assert_int_equal(d.size >> (d.render->voxels.levels - 1), 1);
-        for (int level = 1; level < d.render->voxels.levels; level++) {
+        assert_int_equal(d.size >> (d.render->voxels->levels - 1), 1);
+        for (int level = 1; level < d.render->voxels->levels; level++) {
             uint32_t *above = frame_voxels_level(&d, level), any = 0;
             const int edge = d.size >> level;
             for (int at = 0; at < edge * edge * words; at++) {
@@ -256,7 +256,7 @@ static void bricks_are_those_of_the_map(void **state)
                 wanted[2 * brick + z / 2 % 2] |= 1u << (x % 4 + 4 * (y % 4) + 16 * (z % 2));
             }
         }
-        d.gl->BindBuffer(GL_TEXTURE_BUFFER, d.render->voxels.buffer);
+        d.gl->BindBuffer(GL_TEXTURE_BUFFER, d.render->voxels->buffer);
         d.gl->GetBufferSubData(GL_TEXTURE_BUFFER, 0, (GLsizeiptr)((size_t)count * 2 * sizeof *bricks), bricks);
         d.gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
         assert_int_equal(d.gl->GetError(), 0);

@@ -1,14 +1,14 @@
-/* What a frame is drawn with. */
+/* The state of a renderer that every pass sees. Each folder of passes defines its own part of it, which
+ * others know by a pointer alone: runtime/render/render_state.h composes them. */
 #ifndef MATC_FRAME_FRAME_H
 #define MATC_FRAME_FRAME_H
+#include "runtime/cache/cache.h"
+#include "runtime/cache/view_space.h"
 #include "runtime/draw/measure.h"
 #include "runtime/draw/reader.h"
-#include "runtime/frame/frame_glass.h"
-#include "runtime/frame/frame_indirect.h"
-#include "runtime/frame/frame_light.h"
-#include "runtime/frame/frame_picture.h"
-#include "runtime/frame/frame_shadow.h"
+#include "runtime/draw/screen_pass.h"
 #include "runtime/frame/frame_targets.h"
+#include "runtime/scene/scene.h"
 
 /* A param of a material that was set. */
 typedef struct {
@@ -16,6 +16,34 @@ typedef struct {
     char *name;
     float lanes[4];
 } RenderParam;
+
+/* What decides by which programs, maps and targets a light is drawn. */
+typedef struct {
+    SceneKind kind;
+    Word shadows;
+    bool both_sides;
+} RenderLight;
+
+/* A view of the picture in which shadow volumes are drawn, or objects as lines. */
+typedef enum { VOLUME_VIEW_none, VOLUME_VIEW_faces, VOLUME_VIEW_lines } VolumeViewHow;
+
+typedef struct {
+    const char *name;
+    VolumeViewHow scene, volume;
+} VolumeView;
+
+typedef struct FrameLight FrameLight;         /* light/light_state.h */
+typedef struct ShadowMaps ShadowMaps;         /* shadow/shadow_state.h */
+typedef struct ExactShadows ExactShadows;     /* as well */
+typedef struct FrameVolumes FrameVolumes;     /* as well */
+typedef struct FrameVoxels FrameVoxels;       /* indirect/indirect_state.h */
+typedef struct FrameRadiance FrameRadiance;   /* as well */
+typedef struct FrameIndirect FrameIndirect;   /* as well */
+typedef struct FramePositions FramePositions; /* as well */
+typedef struct FramePicture FramePicture;     /* picture/picture_state.h */
+typedef struct FrameGlass FrameGlass;         /* glass/glass_state.h */
+
+enum { FRAME_RETIRED_MAX = 32 };
 
 struct Render {
     GlContext *gl;
@@ -47,24 +75,29 @@ struct Render {
     Screen screen;
     bool has_screen;
     FrameTargets targets;
-    FrameLight light;
-    FrameGlass glass;
-    FramePicture picture;
-    FrameVolumes volumes;
-    ShadowMaps shadows;
-    ExactShadows exact;
-    FramePositions positions;
-    FrameVoxels voxels;
-    FrameIndirect indirect;
-    FrameRadiance radiance;
+    FrameLight *light;
+    ShadowMaps *shadows;
+    ExactShadows *exact;
+    FrameVolumes *volumes;
+    FrameVoxels *voxels;
+    FrameRadiance *radiance;
+    FrameIndirect *indirect;
+    FramePositions *positions;
+    FramePicture *picture;
+    FrameGlass *glass;
+    bool uncounted; /* what passes count is to be counted again, since the scene changed */
+    ScreenPass retired[FRAME_RETIRED_MAX]; /* of the scene before; the next one may share their programs */
+    int retired_count;
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
 };
 
-/* Whether there is something to count; it begins, goes on in each tile, where what the pass reads is drawn then, once more in all tiles where `again`
- * says so, and ends. */
-typedef enum { FRAME_COUNT_wanted, FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_COUNT_again, FRAME_COUNT_end } FrameCount;
-
+/* Keeps a pass over the screen until the next scene is made, so that equal programs are not compiled again, and empties it. Deletes
+ * all that were kept. frame_retired.c */
+void frame_retire(Render *render, ScreenPass *pass);
+void frame_retired_delete(Render *render);
+/* Whether the frame has the target. */
+static inline bool frame_has(const Render *render, FrameTarget target) { return render->targets.plan.there >> target & 1; }
 /* What the cache is made of. */
 CacheSource frame_source(const Render *render);
 #endif

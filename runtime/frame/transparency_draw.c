@@ -64,22 +64,6 @@ Transparency transparency_first(const Render *render)
                                                                                    : TRANSPARENCY_lists;
 }
 
-bool transparency_falls_back(const Render *render)
-{
-    const char *way = render->options.transparency;
-    return render->glass.lists.full && (!way || strcmp(way, "lists") != 0);
-}
-
-void transparency_put_lists(Text *out, const Render *render)
-{
-    if (render->glass.lists.buffer)
-        text_format(out, "%-8s  %-24s  4, and %d a fragment: %lu bytes for %lu\n", "lists", "a buffer",
-                    4 * transparency_stride(&render->set), (unsigned long)render->glass.lists.bytes,
-                    (unsigned long)render->glass.lists.fragments);
-    else
-        text_format(out, "%-8s  %-24s  not there\n", "lists", "a buffer");
-}
-
 size_t transparency_most_bytes(const Render *render)
 {
     GLint most = 0;

@@ -7,13 +7,9 @@
 bool transparency_check(GlContext *gl, const RenderOptions *options);
 /* Lists, if nothing else is wanted, and there are some. */
 Transparency transparency_first(const Render *render);
-/* Lists would take more than there may be, and are not insisted on. */
-bool transparency_falls_back(const Render *render);
 bool transparency_has_lists(const GlContext *gl);
 /* Of a buffer of fragments. */
 size_t transparency_most_bytes(const Render *render);
-/* A line on the lists' memory. */
-void transparency_put_lists(Text *out, const Render *render);
 /* Something is transparent, and that is how it is drawn. */
 bool transparency_is(const Render *render, Transparency way);
 /* Sets a number of all programs of what is transparent. */

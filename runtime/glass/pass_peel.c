@@ -7,7 +7,7 @@
 
 extern const char render_text_pass_peel[];
 
-bool pass_peel_needed(const Render *render) { return transparency_is(render, TRANSPARENCY_peeling); }
+static bool pass_peel_needed(const Render *render) { return transparency_is(render, TRANSPARENCY_peeling); }
 
 static const GLuint nothing[4] = {~0u, ~0u, ~0u, ~0u};
 
@@ -25,7 +25,7 @@ static bool make_layer(Render *render, int number)
         return gl_fail(render->gl, "the layout's %d targets leave none for peeling", spec.color_count);
     textures.formats[spec.color_count] = frame_format(render, FRAME_TARGET_layer_keys, number);
     textures.colors[spec.color_count++] = frame_texture(render, FRAME_TARGET_layer_keys, number);
-    return framebuffer_make_around(render->gl, &spec, &textures, &render->glass.layers[number]);
+    return framebuffer_make_around(render->gl, &spec, &textures, &render->glass->layers[number]);
 }
 
 /* Triangles of an object, at most. */
@@ -60,11 +60,11 @@ static void draw_layer(Render *render, int number)
     static const float nearest[4] = {1};
     const GlContext *gl = render->gl;
     const GLuint behind = frame_texture(render, FRAME_TARGET_layer_keys, !number);
-    surface_draw_begin(render, &render->glass.layers[number], GL_LEQUAL);
-    gl->ClearBufferuiv(GL_COLOR, render->glass.layers[number].spec.color_count - 1, nothing);
+    surface_draw_begin(render, &render->glass->layers[number], GL_LEQUAL);
+    gl->ClearBufferuiv(GL_COLOR, render->glass->layers[number].spec.color_count - 1, nothing);
     gl->ClearBufferfv(GL_DEPTH, 0, nearest);
-    texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), render->glass.peel_units[0]);
-    texture_bind(gl, behind, render->glass.peel_units[1]);
+    texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), render->glass->peel_units[0]);
+    texture_bind(gl, behind, render->glass->peel_units[1]);
     surface_draw_objects(render, true);
     surface_draw_planes(render, true);
     surface_draw_end(render);
@@ -74,8 +74,8 @@ static void draw_layer(Render *render, int number)
 static void begin_layers(Render *render)
 {
     static const GLuint none[4] = {0, ~0u};
-    framebuffer_use(render->gl, &render->glass.layers[1]);
-    render->gl->ClearBufferuiv(GL_COLOR, render->glass.layers[1].spec.color_count - 1, none);
+    framebuffer_use(render->gl, &render->glass->layers[1]);
+    render->gl->ClearBufferuiv(GL_COLOR, render->glass->layers[1].spec.color_count - 1, none);
 }
 
 /* Layers, until one has no fragment. The most of all tiles. */
@@ -94,52 +94,75 @@ static bool count_layers(Render *render)
         count += fragments > 0;
     }
     gl->DeleteQueries(1, &query);
-    if (count > render->glass.layer_count)
-        render->glass.layer_count = count;
+    if (count > render->glass->layer_count)
+        render->glass->layer_count = count;
     return gl_check(gl, "counting transparent layers");
 }
 
-bool pass_peel_count(Render *render, FrameCount step)
+static bool pass_peel_count(Render *render, FrameCount step)
 {
     if (step == FRAME_COUNT_begin)
-        render->glass.layer_count = 0;
+        render->glass->layer_count = 0;
     if (step == FRAME_COUNT_tile)
         return count_layers(render);
     return step != FRAME_COUNT_again;
 }
 
-bool pass_peel_make(Render *render)
+static bool pass_peel_make(Render *render)
 {
     const LightingText text = {{render_text_pass_peel}, true, 0, LIGHTING_layers},
                        veil = {{"#define VEIL\n", render_text_pass_peel}, true, 0, LIGHTING_layers};
-    if (!make_layer(render, 0) || !make_layer(render, 1) || !lighting_make(render, &text, &render->glass.peel) ||
-        !pass_tools_make_veil(render, &veil) || !transparency_units(render, render->glass.peel_units) ||
+    if (!make_layer(render, 0) || !make_layer(render, 1) || !lighting_make(render, &text, &render->glass->peel) ||
+        !pass_tools_make_veil(render, &veil) || !transparency_units(render, render->glass->peel_units) ||
         !number_objects(render))
         return false;
-    screen_pass_sampler(&render->glass.peel, "peel_keys", LIGHTING_FREE_UNIT);
+    screen_pass_sampler(&render->glass->peel, "peel_keys", LIGHTING_FREE_UNIT);
     if (pass_tools_are_there(render))
-        screen_pass_sampler(&render->picture.tools.veil, "peel_keys", LIGHTING_FREE_UNIT);
-    transparency_set(render, "peel_depth", (float)render->glass.peel_units[0]);
-    transparency_set(render, "peel_behind", (float)render->glass.peel_units[1]);
+        screen_pass_sampler(&render->picture->tools.veil, "peel_keys", LIGHTING_FREE_UNIT);
+    transparency_set(render, "peel_depth", (float)render->glass->peel_units[0]);
+    transparency_set(render, "peel_behind", (float)render->glass->peel_units[1]);
     return true;
 }
 
-void pass_peel_draw(Render *render)
+static void pass_peel_draw(Render *render)
 {
     begin_layers(render);
-    for (int i = 0; i < render->glass.layer_count; i++) {
+    for (int i = 0; i < render->glass->layer_count; i++) {
         draw_layer(render, i % 2);
         const GLuint keys = frame_texture(render, FRAME_TARGET_layer_keys, i % 2);
         lighting_run(render, &(LightingSource){FRAME_TARGET_layer, FRAME_TARGET_layer_depth, keys},
-                     &render->glass.peel);
+                     &render->glass->peel);
         pass_tools_draw_veil(render);
     }
 }
 
-void pass_peel_delete(Render *render)
+static void pass_peel_delete(Render *render)
 {
-    screen_pass_delete(&render->glass.peel);
+    frame_retire(render, &render->glass->peel);
     for (int i = 0; i < 2; i++)
-        framebuffer_delete(render->gl, &render->glass.layers[i]);
-    render->glass.layer_count = 0;
+        framebuffer_delete(render->gl, &render->glass->layers[i]);
+    render->glass->layer_count = 0;
 }
+
+static void pass_peel_place(Render *render) { lighting_place(render, &render->glass->peel); }
+static bool pass_peel_changed(Render *render, unsigned what) { return lighting_changed(render, what, &render->glass->peel); }
+
+static bool pass_peel_moved(Render *render, int first, int count)
+{
+    (void)first, (void)count;
+    lighting_moved(render, &render->glass->peel);
+    return true;
+}
+
+const FramePass pass_peel = {
+    .plan = {"peel", .reads = FRAME_BIT(depth), .fills = FRAME_BIT(layer) | FRAME_BIT(layer_depth) | FRAME_BIT(layer_keys), .changes = FRAME_BIT(light) | FRAME_BIT(tools)},
+    .when = "something is transparent, and there are no lists",
+    .needed = pass_peel_needed,
+    .make = pass_peel_make,
+    .count = pass_peel_count,
+    .draw = pass_peel_draw,
+    .place = pass_peel_place,
+    .changed = pass_peel_changed,
+    .moved = pass_peel_moved,
+    .forget = pass_peel_delete,
+};

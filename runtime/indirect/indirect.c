@@ -77,7 +77,7 @@ int indirect_moving(const Render *render)
     return fewer && !in->history && !indirect_shows(render, "visibility") ? in->moving : 0;
 }
 
-bool indirect_moves(const Render *render) { return render->indirect.moving.on && indirect_moving(render); }
+bool indirect_moves(const Render *render) { return render->indirect->moving.on && indirect_moving(render); }
 
 int indirect_view_lanes(const char *view)
 {
@@ -124,19 +124,19 @@ int indirect_most_sets(const Render *render)
 
 bool indirect_is_done(const Render *render)
 {
-    const IndirectHistory *history = &render->indirect.history;
+    const IndirectHistory *history = &render->indirect->history;
     return indirect_keeps(render) && history->still && (history->exact || history->sets >= indirect_most_sets(render));
 }
 
 GLuint indirect_kept(const Render *render)
 {
-    const IndirectHistory *history = &render->indirect.history;
+    const IndirectHistory *history = &render->indirect->history;
     return history->values[history->last].colors[0];
 }
 
 void indirect_forget(Render *render)
 {
-    IndirectHistory *history = &render->indirect.history;
+    IndirectHistory *history = &render->indirect->history;
     history->still = history->exact = false;
     history->there = history->there && render->scene->indirect.history > 0;
     history->sets = 0;
@@ -144,13 +144,13 @@ void indirect_forget(Render *render)
 
 void indirect_doubt(Render *render, unsigned doubts)
 {
-    render->indirect.history.doubts |= doubts;
-    render->indirect.moving.on = true;
+    render->indirect->history.doubts |= doubts;
+    render->indirect->moving.on = true;
 }
 
 static void delete_history(Render *render)
 {
-    IndirectHistory *history = &render->indirect.history;
+    IndirectHistory *history = &render->indirect->history;
     screen_pass_delete(&history->blend);
     screen_pass_delete(&history->place);
     for (int i = 0; i < 2; i++) {
@@ -162,7 +162,7 @@ static void delete_history(Render *render)
 
 static void delete_moving(Render *render)
 {
-    IndirectMoving *moving = &render->indirect.moving;
+    IndirectMoving *moving = &render->indirect->moving;
     ScreenPass *const passes[] = {&moving->rays, &moving->again, &moving->smooth, &moving->spread};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         screen_pass_delete(passes[i]);
@@ -175,10 +175,10 @@ void indirect_delete(Render *render)
 {
     delete_history(render);
     delete_moving(render);
-    screen_pass_delete(&render->indirect.rays);
-    screen_pass_delete(&render->indirect.again);
-    screen_pass_delete(&render->indirect.smooth);
-    screen_pass_delete(&render->indirect.spread);
-    screen_pass_delete(&render->indirect.combine);
-    framebuffer_delete(render->gl, &render->indirect.between);
+    screen_pass_delete(&render->indirect->rays);
+    screen_pass_delete(&render->indirect->again);
+    screen_pass_delete(&render->indirect->smooth);
+    screen_pass_delete(&render->indirect->spread);
+    screen_pass_delete(&render->indirect->combine);
+    framebuffer_delete(render->gl, &render->indirect->between);
 }

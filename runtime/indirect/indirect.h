@@ -1,6 +1,8 @@
 /* Indirect light, as a scene's `indirect:` says: how it is found, and what the passes have of it. */
 #ifndef MATC_INDIRECT_INDIRECT_H
 #define MATC_INDIRECT_INDIRECT_H
+#include "runtime/frame/frame_pass.h"
+#include "runtime/indirect/indirect_state.h"
 #include "compiler/base/text.h"
 #include "runtime/cache/cache.h"
 #include "runtime/draw/screen_pass.h"
@@ -51,22 +53,17 @@ double indirect_near(const Render *render);
 /* How far rays go, in the world's units. */
 double indirect_radius(const Scene *scene, const Cache *cache);
 
-bool pass_rays_needed(const Render *render);
-bool pass_rays_make(Render *render);
 /* The camera, the tile or objects are others. */
 void pass_rays_place(Render *render);
 void pass_rays_draw(Render *render);
 /* For one more bounce, by what is in the target open. */
 void pass_rays_draw_again(Render *render);
-/* What rays found is smoothed, or spread over more pixels; else they fill the target open themselves. */
 /* Frames before count, or several sets of rays do. */
 bool indirect_keeps(const Render *render);
 /* Sets of rays that count. */
 int indirect_most_sets(const Render *render);
 /* No further rays go out. */
 bool indirect_is_done(const Render *render);
-bool pass_history_make(Render *render);
-void pass_history_draw(Render *render);
 /* Means over what is kept. */
 GLuint indirect_kept(const Render *render);
 /* Something has changed: what is kept holds where the same is seen, if frames before are to count; else none of it. */
@@ -74,23 +71,12 @@ void indirect_forget(Render *render);
 /* Something is another than in the frame before. What is kept holds the less: a sum of IndirectDoubt. */
 void indirect_doubt(Render *render, unsigned doubts);
 bool pass_smooth_needed(const Render *render);
-/* What a pass of that drawing fills and reads as the scene has it: rays the target open, where nothing is smoothed; spread what rays read, for further bounces. */
-void pass_smooth_request(const Render *render, void (*draw)(Render *), FramePlanPass *row);
-bool pass_smooth_make(Render *render);
-void pass_smooth_draw(Render *render);
-bool pass_spread_make(Render *render);
-void pass_spread_draw(Render *render);
 /* A pass of indirect_place.glsl: its texts' first pieces, and what it reads. indirect_pass.c */
 enum { INDIRECT_DEFINITIONS = 768, INDIRECT_DEPTH_UNIT = FRAMEBUFFER_COLORS, INDIRECT_FREE_UNIT };
 void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINITIONS]);
 const char *indirect_surface_text(const Render *render);
 void indirect_set(const Render *render, ScreenPass *pass);
 void indirect_bind(const Render *render);
-/* The camera or the tile are others: of all these passes. */
-void pass_combine_place(Render *render);
-bool pass_combine_needed(const Render *render);
-bool pass_combine_make(Render *render);
-void pass_combine_draw(Render *render);
 /* Opaque infinite planes that rays meet where they go through voxels, as many as there may be; GLSL for it, "" without any; told to a pass. indirect_planes.c */
 enum { INDIRECT_PLANES_MOST = 16, INDIRECT_PLANES_DEFINITION = 48 };
 int indirect_planes_count(const Render *render);
@@ -99,11 +85,8 @@ void indirect_planes_define(const Render *render, char text[INDIRECT_PLANES_DEFI
 void indirect_planes_put(Text *out, const Render *render);
 void indirect_planes_set(const Render *render, ScreenPass *pass);
 void indirect_delete(Render *render);
-/* The view is one of these; what has to be as a tile's place, the camera, or objects are others. */
+/* The view shows the depth buffer as a mesh, from beside. */
 bool pass_positions_is_view(const char *view);
-bool pass_positions_needed(const Render *render);
-bool pass_positions_make(Render *render);
-void pass_positions_place(Render *render);
-void pass_positions_draw(Render *render);
-void pass_positions_delete(Render *render);
+/* The rows of the frame graph. */
+extern const FramePass pass_positions, pass_rays, pass_history, pass_smooth, pass_spread, pass_combine;
 #endif

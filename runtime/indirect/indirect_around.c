@@ -14,7 +14,7 @@ static bool has_hemispheres(const Render *render)
     return view_space_hemisphere(&render->space, render->scene, numbers);
 }
 
-static bool sky_differs(const Render *render) { return light_sky_shines(render->scene) && render->light.sky.uneven; }
+static bool sky_differs(const Render *render) { return light_sky_shines(render->scene) && render->light->sky.uneven; }
 
 /* Where the picture's light is wanted: views of what rays find have nothing but that. Bounces that run one after the other would send it on once more. */
 bool indirect_is_directional(const Render *render)

@@ -23,7 +23,7 @@ static bool make_number(Render *render, IndirectMotion *motion)
 
 bool indirect_motion_make(Render *render)
 {
-    IndirectMotion *motion = &render->indirect.motion;
+    IndirectMotion *motion = &render->indirect->motion;
     const Scene *scene = render->scene;
     if (!scene->indirect.history)
         return true;
@@ -38,7 +38,7 @@ bool indirect_motion_make(Render *render)
 
 void indirect_motion_delete(Render *render)
 {
-    IndirectMotion *motion = &render->indirect.motion;
+    IndirectMotion *motion = &render->indirect->motion;
     free(motion->kept);
     material_delete(&motion->number);
     framebuffer_delete(render->gl, &motion->seen);
@@ -47,7 +47,7 @@ void indirect_motion_delete(Render *render)
 
 void indirect_motion_add(Render *render, int first, int count)
 {
-    IndirectMotion *motion = &render->indirect.motion;
+    IndirectMotion *motion = &render->indirect->motion;
     if (!motion->kept || !count)
         return;
     const bool none = motion->first >= motion->end;
@@ -57,7 +57,7 @@ void indirect_motion_add(Render *render, int first, int count)
 
 void indirect_motion_end(Render *render)
 {
-    IndirectMotion *motion = &render->indirect.motion;
+    IndirectMotion *motion = &render->indirect->motion;
     for (int i = motion->first; motion->kept && i < motion->end; i++)
         motion->kept[i] = render->scene->objects[i].world_from_local;
     motion->first = motion->end = 0;
@@ -138,7 +138,7 @@ static bool find_motion(const Render *render, const double was[16], int object, 
     if (!scene_matrix_invert(&render->scene->objects[object].world_from_local, &local_from_world) ||
         !scene_matrix_invert(&eye, &world_from_eye))
         return false;
-    const SceneMatrix left = scene_matrix_multiply(&before, &render->indirect.motion.kept[object]);
+    const SceneMatrix left = scene_matrix_multiply(&before, &render->indirect->motion.kept[object]);
     const SceneMatrix right = scene_matrix_multiply(&local_from_world, &world_from_eye);
     const SceneMatrix all = scene_matrix_multiply(&left, &right);
     for (int i = 0; i < 16; i++)
@@ -148,7 +148,7 @@ static bool find_motion(const Render *render, const double was[16], int object, 
 
 static void draw_number(Render *render, int object, int number)
 {
-    Material *material = &render->indirect.motion.number;
+    Material *material = &render->indirect->motion.number;
     const SceneMatrix *world_from_local = &render->scene->objects[object].world_from_local;
     const CachePlace *place = &render->cache.places[render->cache.place_of[object]];
     Spaces spaces = render->space.spaces;
@@ -172,14 +172,14 @@ static void number_object(Render *render, const double was[16], int object, Indi
         return;
     const bool known = next < INDIRECT_MOTIONS_MOST && find_motion(render, was, object, moved->motions[next]);
     if (known)
-        put_step(was, box, matrix, &render->indirect.motion.kept[object], moved->steps[next]);
+        put_step(was, box, matrix, &render->indirect->motion.kept[object], moved->steps[next]);
     moved->counts[1] += known;
     draw_number(render, object, known ? next + 1 : INDIRECT_MOTIONS_MOST + 1);
 }
 
 static bool has_moved(const Render *render, int object)
 {
-    return memcmp(&render->indirect.motion.kept[object], &render->scene->objects[object].world_from_local,
+    return memcmp(&render->indirect->motion.kept[object], &render->scene->objects[object].world_from_local,
                   sizeof(SceneMatrix)) != 0;
 }
 
@@ -200,7 +200,7 @@ static bool begin(Render *render, IndirectMotion *motion)
 
 bool indirect_motion_draw(Render *render, const double was[16], IndirectMoved *moved)
 {
-    IndirectMotion *motion = &render->indirect.motion;
+    IndirectMotion *motion = &render->indirect->motion;
     VoxelRange boxes[INDIRECT_BOXES_MOST];
     int count = 0;
     memset(moved->counts, 0, sizeof moved->counts);

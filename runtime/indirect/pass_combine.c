@@ -5,30 +5,41 @@
 
 extern const char render_text_pass_combine[];
 
-bool pass_combine_needed(const Render *render) { return indirect_is(render); }
+static bool pass_combine_needed(const Render *render) { return indirect_is(render); }
 
-bool pass_combine_make(Render *render)
+static bool pass_combine_make(Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
     const LightingText text = {.body = {in->dims_direct ? "#define INDIRECT_DIMS\n" : "", render_text_pass_combine},
                                .over = true,
                                .of = LIGHTING_around};
-    if (!lighting_make(render, &text, &render->indirect.combine))
+    if (!lighting_make(render, &text, &render->indirect->combine))
         return false;
-    material_set_number(&render->indirect.combine.material, "indirect_gain", (float)in->gain);
-    screen_pass_sampler(&render->indirect.combine, "indirect_open", LIGHTING_FREE_UNIT);
+    material_set_number(&render->indirect->combine.material, "indirect_gain", (float)in->gain);
+    screen_pass_sampler(&render->indirect->combine, "indirect_open", LIGHTING_FREE_UNIT);
     return true;
 }
 
-void pass_combine_place(Render *render)
+static void pass_combine_place(Render *render)
 {
-    pass_rays_place(render);
-    lighting_place(render, &render->indirect.combine);
+    lighting_place(render, &render->indirect->combine);
 }
 
-void pass_combine_draw(Render *render)
+static void pass_combine_draw(Render *render)
 {
     lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     texture_bind(render->gl, frame_texture(render, FRAME_TARGET_open, 0), LIGHTING_FREE_UNIT);
-    screen_pass_run(&render->indirect.combine, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->indirect->combine, &render->targets.draws[FRAME_DRAW_light], &render->screen);
 }
+
+static bool pass_combine_changed(Render *render, unsigned what) { return lighting_changed(render, what, &render->indirect->combine); }
+
+const FramePass pass_combine = {
+    .plan = {"combine", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(open), .changes = FRAME_BIT(light)},
+    .when = "light is indirect",
+    .needed = pass_combine_needed,
+    .make = pass_combine_make,
+    .draw = pass_combine_draw,
+    .place = pass_combine_place,
+    .changed = pass_combine_changed,
+};

@@ -49,9 +49,9 @@ static bool make_pass(Render *render, bool place, ScreenPass *pass)
     return true;
 }
 
-bool pass_history_make(Render *render)
+static bool pass_history_make(Render *render)
 {
-    IndirectHistory *history = &render->indirect.history;
+    IndirectHistory *history = &render->indirect->history;
     bool done = make_pass(render, false, &history->blend) && make_pass(render, true, &history->place);
     for (int i = 0; done && i < 2; i++)
         done = make_target(render, &history->values[i]) && make_target(render, &history->places[i]);
@@ -91,13 +91,13 @@ static double reach_of(const Render *render)
 static unsigned doubts_of(const Render *render)
 {
     const bool shown = !indirect_reads_radiance(render); /* what the picture shows is another from each place */
-    return render->indirect.history.doubts | (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
+    return render->indirect->history.doubts | (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
 }
 
 static size_t fill_block(Render *render, Block *block)
 {
     static const double one[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    const IndirectHistory *history = &render->indirect.history;
+    const IndirectHistory *history = &render->indirect->history;
     const unsigned doubts = doubts_of(render);
     double world_from_eye[16];
     invert_eye(render->space.eye_from_world, world_from_eye);
@@ -119,7 +119,7 @@ static size_t fill_block(Render *render, Block *block)
 /* One set of rays more. */
 static void blend(Render *render)
 {
-    IndirectHistory *history = &render->indirect.history;
+    IndirectHistory *history = &render->indirect->history;
     const int next = 1 - history->last;
     Block block = {.moved.counts = {0}};
     const size_t size = fill_block(render, &block);
@@ -127,7 +127,7 @@ static void blend(Render *render)
     texture_bind(render->gl, frame_texture(render, FRAME_TARGET_rays, 0), RAYS_UNIT);
     texture_bind(render->gl, history->values[history->last].colors[0], VALUES_UNIT);
     texture_bind(render->gl, history->places[history->last].colors[0], PLACES_UNIT);
-    texture_bind(render->gl, render->indirect.motion.seen.colors[0], MOVED_UNIT);
+    texture_bind(render->gl, render->indirect->motion.seen.colors[0], MOVED_UNIT);
     material_write(&history->blend.material, "History", &block, size);
     material_write(&history->place.material, "History", &block, size);
     screen_pass_run(&history->blend, &history->values[next], &render->screen);
@@ -156,7 +156,7 @@ static double difference(const float *a, const float *b, size_t pixels)
 /* Asked when there are 1, 2, 4, ... sets: openness is as exact as is wanted. */
 static bool is_exact(Render *render, float *means[2])
 {
-    IndirectHistory *history = &render->indirect.history;
+    IndirectHistory *history = &render->indirect->history;
     const Framebuffer *values = &history->values[history->last];
     const size_t pixels = (size_t)values->spec.width * (size_t)values->spec.height;
     float *before = means[0];
@@ -166,9 +166,9 @@ static bool is_exact(Render *render, float *means[2])
            difference(means[0], means[1], pixels) <= render->scene->indirect.error;
 }
 
-void pass_history_draw(Render *render)
+static void pass_history_draw(Render *render)
 {
-    IndirectHistory *history = &render->indirect.history;
+    IndirectHistory *history = &render->indirect->history;
     const SceneIndirect *in = &render->scene->indirect;
     const size_t pixels = (size_t)history->values[0].spec.width * (size_t)history->values[0].spec.height;
     float *means[2] = {NULL, NULL};
@@ -187,3 +187,11 @@ void pass_history_draw(Render *render)
     free(means[0]);
     free(means[1]);
 }
+
+const FramePass pass_history = {
+    .plan = {"history", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) | FRAME_BIT(radiance) | FRAME_BIT(rays), .fills = FRAME_BIT(history)},
+    .when = "rays of several sets, or frames, count",
+    .needed = indirect_keeps,
+    .make = pass_history_make,
+    .draw = pass_history_draw,
+};

@@ -27,11 +27,11 @@ static int view_of(const char *view)
 }
 
 bool pass_positions_is_view(const char *view) { return view_of(view) >= 0; }
-bool pass_positions_needed(const Render *render) { return pass_positions_is_view(render->options.view); }
+static bool pass_positions_needed(const Render *render) { return pass_positions_is_view(render->options.view); }
 
 static void set(Render *render, const char *name, const float values[4])
 {
-    material_set(&render->positions.material, &(MaterialValue){name, 4, values});
+    material_set(&render->positions->material, &(MaterialValue){name, 4, values});
 }
 
 /* By columns: where the camera goes right, points go left before what they are turned around; y is up, z to the back. */
@@ -40,7 +40,7 @@ static void set_turn(Render *render, double right, double up)
     const double a = right * PI / 180, b = up * PI / 180;
     const float turn[9] = {(float)cos(a),         0,             (float)sin(a), 0, (float)cos(b), (float)sin(b),
                            (float)-sin(a), (float)-sin(b), (float)(cos(a) * cos(b))};
-    material_set(&render->positions.material, &(MaterialValue){"positions_turn", 9, turn});
+    material_set(&render->positions->material, &(MaterialValue){"positions_turn", 9, turn});
 }
 
 /* An orthographic camera's depth ends where the scene does as it sees it; turned, points are elsewhere. */
@@ -53,13 +53,13 @@ static void set_clip(Render *render, const VoxelGrid *grid, const float middle[4
     set(render, "positions_clip", (float[]){m[0], m[5], flat ? z : m[10], flat ? at : m[14]});
 }
 
-void pass_positions_place(Render *render)
+static void pass_positions_place(Render *render)
 {
     const int view = view_of(render->options.view);
     const float *m = render->space.spaces.clip_from_eye.m;
     const double *e = render->space.eye_from_world;
     float middle[4] = {0};
-    if (!render->positions.material.store)
+    if (!render->positions->material.store)
         return;
     const VoxelGrid grid = voxel_grid(render->scene, &render->cache);
     for (int row = 0; row < 3; row++) {
@@ -76,20 +76,20 @@ void pass_positions_place(Render *render)
     set_turn(render, views[view].right, views[view].up);
 }
 
-bool pass_positions_make(Render *render)
+static bool pass_positions_make(Render *render)
 {
     const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
     const ProgramText text = {.vertex = {head, render_text_positions_vertex},
                               .fragment = {head, render_text_positions_fragment}};
-    if (!material_make(render->store, NULL, &text, &render->positions.material))
+    if (!material_make(render->store, NULL, &text, &render->positions->material))
         return false;
-    render->gl->GenVertexArrays(1, &render->positions.array);
+    render->gl->GenVertexArrays(1, &render->positions->array);
     pass_positions_place(render);
     return true;
 }
 
-void pass_positions_draw(Render *render)
+static void pass_positions_draw(Render *render)
 {
     static const float none[4];
     const GlContext *gl = render->gl;
@@ -98,8 +98,8 @@ void pass_positions_draw(Render *render)
     gl->ClearBufferfv(GL_COLOR, 0, none);
     gl->ClearBufferfv(GL_DEPTH, 0, none);
     texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), 0);
-    material_use(&render->positions.material);
-    gl->BindVertexArray(render->positions.array);
+    material_use(&render->positions->material);
+    gl->BindVertexArray(render->positions->array);
     gl->Enable(GL_CULL_FACE); /* what shows its back: a wall through which one looks into a room */
     gl->DrawArrays(GL_TRIANGLES, 0, vertices * squares);
     gl->Disable(GL_CULL_FACE);
@@ -107,9 +107,27 @@ void pass_positions_draw(Render *render)
     surface_draw_end(render);
 }
 
-void pass_positions_delete(Render *render)
+static void pass_positions_delete(Render *render)
 {
-    material_delete(&render->positions.material);
-    render->gl->DeleteVertexArrays(1, &render->positions.array); /* GL ignores the name 0 */
-    render->positions = (FramePositions){0};
+    material_delete(&render->positions->material);
+    render->gl->DeleteVertexArrays(1, &render->positions->array); /* GL ignores the name 0 */
+    *render->positions = (FramePositions){0};
 }
+
+static bool pass_positions_changed(Render *render, unsigned what)
+{
+    (void)what;
+    pass_positions_place(render);
+    return true;
+}
+
+const FramePass pass_positions = {
+    .plan = {"mesh", .reads = FRAME_BIT(depth), .fills = FRAME_BIT(positions) | FRAME_BIT(layer_depth)},
+    .when = "what the picture knows is looked at from beside",
+    .needed = pass_positions_needed,
+    .make = pass_positions_make,
+    .draw = pass_positions_draw,
+    .place = pass_positions_place,
+    .changed = pass_positions_changed,
+    .forget = pass_positions_delete,
+};

@@ -14,7 +14,7 @@ enum { STEP_sides, STEP_nearest, STEP_keep };
 /* Clip space of a side: seen from the axis's upper end depth is turned round. */
 static void clip_of(const Render *render, int side, double clip[16])
 {
-    voxel_grid_clip(&render->voxels.grid, side / 2, render->zero_to_one, clip);
+    voxel_grid_clip(&render->voxels->grid, side / 2, render->zero_to_one, clip);
     for (int column = 0; column < 4 && side % 2; column++)
         clip[4 * column + 2] = (column == 3 && render->zero_to_one) - clip[4 * column + 2];
 }
@@ -30,8 +30,8 @@ static void cast(Render *render, int side, RadianceCast kind, bool cut)
                &(CacheLight){.clip_from_world = clip,
                              .volume = &all,
                              .mirrored = side % 2 == 0,
-                             .kept = render->radiance.keepers,
-                             .waves = render->radiance.casts,
+                             .kept = render->radiance->keepers,
+                             .waves = render->radiance->casts,
                              .wave = kind,
                              .cut = cut},
                false);
@@ -39,7 +39,7 @@ static void cast(Render *render, int side, RadianceCast kind, bool cut)
 
 static void tell(Render *render, const char *name, int number)
 {
-    FrameRadiance *radiance = &render->radiance;
+    FrameRadiance *radiance = render->radiance;
     for (int i = 0; i < radiance->keeper_count; i++)
         if (radiance->keepers[i].store)
             material_set_number(&radiance->keepers[i], name, (float)number);
@@ -55,9 +55,9 @@ static void wait(const Render *render)
 static void draw_surfaces(Render *render, int step)
 {
     const GlContext *gl = render->gl;
-    const FrameRadiance *radiance = &render->radiance;
+    const FrameRadiance *radiance = render->radiance;
     gl->BindFramebuffer(GL_FRAMEBUFFER, radiance->framebuffer);
-    gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, render->voxels.within, 0, 0);
+    gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, render->voxels->within, 0, 0);
     gl->DrawBuffers(1, (const GLenum[]){GL_NONE});
     gl->Viewport(0, 0, radiance->size, radiance->size);
     if (render->zero_to_one)
@@ -82,7 +82,7 @@ static void draw_surfaces(Render *render, int step)
 static void clear(const Render *render, size_t from, size_t words)
 {
     const GlContext *gl = render->gl;
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->radiance.faces);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->radiance->faces);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, (GLintptr)(from * sizeof(GLuint)),
                            (GLsizeiptr)(words * sizeof(GLuint)), GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
@@ -91,9 +91,9 @@ static void clear(const Render *render, size_t from, size_t words)
 static void bind(const Render *render)
 {
     const GlContext *gl = render->gl;
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FACES_BINDING, render->radiance.faces);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NODES_BINDING, render->radiance.nodes);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, KEPT_BINDING, render->radiance.kept);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FACES_BINDING, render->radiance->faces);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NODES_BINDING, render->radiance->nodes);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, KEPT_BINDING, render->radiance->kept);
 }
 
 /* So many invocations, in a rectangle of groups. */
@@ -109,7 +109,7 @@ static void dispatch(const Render *render, size_t count)
 static GLuint number_nodes(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameRadiance *radiance = &render->radiance;
+    FrameRadiance *radiance = render->radiance;
     const size_t size = (size_t)radiance->size;
     const GLuint head[RADIANCE_HEAD] = {radiance->room};
     GLuint counted[RADIANCE_HEAD] = {0};
@@ -128,7 +128,7 @@ static GLuint number_nodes(Render *render)
 /* Larger voxels have fewer nodes. */
 static void find_nodes(Render *render)
 {
-    FrameRadiance *radiance = &render->radiance;
+    FrameRadiance *radiance = render->radiance;
     for (;; radiance->size /= 2) {
         const size_t size = (size_t)radiance->size;
         tell(render, "radiance_size", radiance->size);
@@ -149,9 +149,9 @@ static void find_nodes(Render *render)
 
 static void set_eye(Render *render)
 {
-    const VoxelGrid *grid = &render->voxels.grid;
+    const VoxelGrid *grid = &render->voxels->grid;
     const double *eye = render->space.eye_from_world;
-    const double edge = grid->edge * grid->size / render->radiance.size;
+    const double edge = grid->edge * grid->size / render->radiance->size;
     float matrix[16];
     for (int row = 0; row < 4; row++) {
         double last = eye[12 + row];
@@ -161,12 +161,12 @@ static void set_eye(Render *render)
         }
         matrix[12 + row] = (float)last;
     }
-    material_set(&render->radiance.light.material, &(MaterialValue){"radiance_eye", 16, matrix});
+    material_set(&render->radiance->light.material, &(MaterialValue){"radiance_eye", 16, matrix});
 }
 
 static void light_nodes(Render *render)
 {
-    ScreenPass *light = &render->radiance.light;
+    ScreenPass *light = &render->radiance->light;
     set_eye(render);
     radiance_set(render, 0, light);
     pass_voxels_set(render, LIGHTING_FREE_UNIT, light);
@@ -176,7 +176,7 @@ static void light_nodes(Render *render)
         voxel_bricks_bind(render, LIGHTING_FREE_UNIT);
         bind(render);
         material_use(&light->material);
-        dispatch(render, render->radiance.count);
+        dispatch(render, render->radiance->count);
     }
 }
 
@@ -184,13 +184,13 @@ static void light_nodes(Render *render)
 static void bounce_nodes(Render *render)
 {
     enum { VOXEL_UNIT, RADIANCE_UNIT };
-    ScreenPass *bounce = &render->radiance.bounce;
+    ScreenPass *bounce = &render->radiance->bounce;
     const double radius = indirect_radius(render->scene, &render->cache);
     if (!bounce->material.store)
         return;
     pass_voxels_set(render, VOXEL_UNIT, bounce);
     radiance_set(render, RADIANCE_UNIT, bounce);
-    material_set_number(&bounce->material, "bounce_far", (float)(radius / render->voxels.grid.edge));
+    material_set_number(&bounce->material, "bounce_far", (float)(radius / render->voxels->grid.edge));
     voxel_bricks_bind(render, VOXEL_UNIT);
     radiance_bind(render, RADIANCE_UNIT);
     bind(render);
@@ -198,23 +198,23 @@ static void bounce_nodes(Render *render)
         for (int step = 0; step < 2; step++) {
             material_set_number(&bounce->material, "bounce_step", (float)step);
             material_use(&bounce->material);
-            dispatch(render, render->radiance.count);
+            dispatch(render, render->radiance->count);
         }
 }
 
 /* -- */
 
-bool pass_radiance_make(Render *render) { return radiance_make(render); }
+static bool pass_radiance_make(Render *render) { return radiance_make(render); }
 
 bool pass_radiance_change(Render *render)
 {
-    render->radiance.drawn = false;
-    return !render->radiance.light.material.store || lighting_change(render, &render->radiance.light);
+    render->radiance->drawn = false;
+    return lighting_changed(render, RENDER_LIGHTS, &render->radiance->light);
 }
 
-void pass_radiance_draw(Render *render)
+static void pass_radiance_draw(Render *render)
 {
-    FrameRadiance *radiance = &render->radiance;
+    FrameRadiance *radiance = render->radiance;
     if (radiance->drawn)
         return;
     radiance_sort(render);
@@ -227,3 +227,19 @@ void pass_radiance_draw(Render *render)
     pass_rays_place(render); /* voxels may be larger now */
     radiance->drawn = true;
 }
+
+static bool pass_radiance_changed(Render *render, unsigned what)
+{
+    render->radiance->drawn &= !(what & RENDER_LIGHTS);
+    return lighting_changed(render, what, &render->radiance->light);
+}
+
+const FramePass pass_radiance = {
+    .plan = {"radiance", .reads = FRAME_BIT(voxels) | FRAME_BIT(shadow), .fills = FRAME_BIT(radiance)},
+    .when = "indirect light comes from what is not shown; once, then it is kept",
+    .needed = radiance_needed,
+    .make = pass_radiance_make,
+    .draw = pass_radiance_draw,
+    .changed = pass_radiance_changed,
+    .forget = radiance_delete,
+};

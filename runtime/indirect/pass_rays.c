@@ -2,6 +2,7 @@
  * method. */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_motion.h"
 #include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"
 
@@ -18,12 +19,12 @@ enum {
     SKY_UNIT = RADIANCE_UNIT + RADIANCE_UNITS
 };
 
-bool pass_rays_needed(const Render *render) { return indirect_is(render); }
+static bool pass_rays_needed(const Render *render) { return indirect_is(render); }
 
 void pass_rays_place(Render *render)
 {
     indirect_forget(render);
-    FrameIndirect *in = &render->indirect;
+    FrameIndirect *in = render->indirect;
     enum { RAYS = 4 }; /* of them send rays */
     ScreenPass *passes[] = {&in->rays,          &in->again,         &in->moving.rays,   &in->moving.again,  &in->smooth, &in->spread,
                             &in->moving.smooth, &in->moving.spread, &in->history.blend, &in->history.place};
@@ -129,9 +130,9 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
     return true;
 }
 
-bool pass_rays_make(Render *render)
+static bool pass_rays_make(Render *render)
 {
-    FrameIndirect *in = &render->indirect;
+    FrameIndirect *in = render->indirect;
     const bool again = indirect_is_repeated(render);
     const int coarse = indirect_coarse(render), moving = indirect_moving(render);
     const bool done = make(render, false, coarse, &in->rays) && (!again || make(render, true, coarse, &in->again)) &&
@@ -153,26 +154,72 @@ static void run(Render *render, ScreenPass *pass)
         radiance_bind(render, RADIANCE_UNIT);
     indirect_around_bind(render, SKY_UNIT);
     const Framebuffer *target = &render->targets.draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
-    screen_pass_run(pass, indirect_moves(render) ? &render->indirect.moving.found : target, &render->screen);
+    screen_pass_run(pass, indirect_moves(render) ? &render->indirect->moving.found : target, &render->screen);
 }
 
 void pass_rays_draw(Render *render)
 {
     const unsigned most = 4096; /* sets that differ: what they are shifted by is a float */
     if (indirect_moves(render)) {
-        run(render, &render->indirect.moving.rays);
+        run(render, &render->indirect->moving.rays);
         return;
     }
     if (indirect_is_done(render))
         return;
     if (indirect_keeps(render))
-        material_set_number(&render->indirect.rays.material, "indirect_set",
-                            (float)(render->indirect.history.number % most));
-    run(render, &render->indirect.rays);
+        material_set_number(&render->indirect->rays.material, "indirect_set",
+                            (float)(render->indirect->history.number % most));
+    run(render, &render->indirect->rays);
 }
 
 void pass_rays_draw_again(Render *render)
 {
     texture_bind(render->gl, frame_texture(render, FRAME_TARGET_open, 0), BEFORE_UNIT);
-    run(render, indirect_moves(render) ? &render->indirect.moving.again : &render->indirect.again);
+    run(render, indirect_moves(render) ? &render->indirect->moving.again : &render->indirect->again);
 }
+
+static bool pass_rays_changed(Render *render, unsigned what)
+{
+    pass_rays_place(render);
+    indirect_doubt(render, what & RENDER_TIME     ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness
+                           : what & RENDER_LIGHTS ? INDIRECT_DOUBT_light
+                                                  : 0);
+    return true;
+}
+
+static bool pass_rays_moved(Render *render, int first, int count)
+{
+    pass_rays_place(render);
+    indirect_doubt(render, INDIRECT_DOUBT_light);
+    indirect_motion_add(render, first, count);
+    return true;
+}
+
+/* Rays fill the target open themselves where nothing is smoothed. */
+static void pass_rays_request(const Render *render, FramePlanPass *row)
+{
+    if (!indirect_is_smoothed(render))
+        row->fills = FRAME_BIT(open);
+}
+
+static void pass_rays_drawn(Render *render) { render->indirect->moving.on = false; }
+
+static void pass_rays_forget(Render *render)
+{
+    indirect_delete(render);
+    indirect_motion_delete(render);
+}
+
+const FramePass pass_rays = {
+    .plan = {"rays", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) | FRAME_BIT(radiance), .fills = FRAME_BIT(rays)},
+    .when = "light is indirect",
+    .needed = pass_rays_needed,
+    .request = pass_rays_request,
+    .make = pass_rays_make,
+    .draw = pass_rays_draw,
+    .drawn = pass_rays_drawn,
+    .place = pass_rays_place,
+    .changed = pass_rays_changed,
+    .moved = pass_rays_moved,
+    .forget = pass_rays_forget,
+};

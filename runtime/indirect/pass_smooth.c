@@ -63,21 +63,21 @@ static bool make_part(Render *render, FrameTarget target, int coarse, Framebuffe
     return framebuffer_make_around(render->gl, &spec, &textures, made);
 }
 
-bool pass_smooth_make(Render *render)
+static bool pass_smooth_make(Render *render)
 {
-    IndirectMoving *moving = &render->indirect.moving;
+    IndirectMoving *moving = &render->indirect->moving;
     const int coarse = indirect_moving(render);
-    return make(render, false, indirect_coarse(render), &render->indirect.smooth) &&
+    return make(render, false, indirect_coarse(render), &render->indirect->smooth) &&
            (!coarse || (make(render, false, coarse, &moving->smooth) && make(render, true, coarse, &moving->spread) &&
                         make_part(render, FRAME_TARGET_rays, coarse, &moving->found) &&
                         make_part(render, FRAME_TARGET_smooth, coarse, &moving->smoothed)));
 }
 
-bool pass_spread_make(Render *render)
+static bool pass_spread_make(Render *render)
 {
     const int coarse = indirect_coarse(render);
-    return (!is_atrous(render) || make_part(render, FRAME_TARGET_open, coarse, &render->indirect.between)) &&
-           (!is_spread(render) || make(render, true, coarse, &render->indirect.spread));
+    return (!is_atrous(render) || make_part(render, FRAME_TARGET_open, coarse, &render->indirect->between)) &&
+           (!is_spread(render) || make(render, true, coarse, &render->indirect->spread));
 }
 
 /* What rays found. */
@@ -97,22 +97,22 @@ static void run(Render *render, ScreenPass *pass, GLuint source, const Framebuff
 
 static void draw_level(Render *render, int level)
 {
-    ScreenPass *pass = &render->indirect.smooth;
+    ScreenPass *pass = &render->indirect->smooth;
     material_set_number(&pass->material, "smooth_level", (float)level);
     run(render, pass,
         level ? frame_texture(render, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_open, 0) : found(render),
-        level % 2 ? &render->indirect.between : &render->targets.draws[FRAME_DRAW_smooth]);
+        level % 2 ? &render->indirect->between : &render->targets.draws[FRAME_DRAW_smooth]);
 }
 
-void pass_smooth_draw(Render *render)
+static void pass_smooth_draw(Render *render)
 {
-    IndirectMoving *moving = &render->indirect.moving;
+    IndirectMoving *moving = &render->indirect->moving;
     if (is_atrous(render))
         draw_level(render, 0);
     else if (indirect_moves(render))
         run(render, &moving->smooth, found(render), &moving->smoothed);
     else
-        run(render, &render->indirect.smooth, found(render), &render->targets.draws[FRAME_DRAW_smooth]);
+        run(render, &render->indirect->smooth, found(render), &render->targets.draws[FRAME_DRAW_smooth]);
 }
 
 static void spread(Render *render)
@@ -120,12 +120,12 @@ static void spread(Render *render)
     for (int level = 1; is_atrous(render) && level < atrous_levels(render); level++)
         draw_level(render, level);
     if (is_spread(render))
-        run(render, indirect_moves(render) ? &render->indirect.moving.spread : &render->indirect.spread,
+        run(render, indirect_moves(render) ? &render->indirect->moving.spread : &render->indirect->spread,
             frame_texture(render, FRAME_TARGET_smooth, 0), &render->targets.draws[FRAME_DRAW_open]);
 }
 
 /* Then all three once more for each further bounce: light that surfaces send is then that of lights and of the bounces before. */
-void pass_spread_draw(Render *render)
+static void pass_spread_draw(Render *render)
 {
     spread(render);
     for (int i = 1; indirect_is_repeated(render) && i < render->scene->indirect.bounces; i++) {
@@ -135,14 +135,34 @@ void pass_spread_draw(Render *render)
     }
 }
 
-void pass_smooth_request(const Render *render, void (*draw)(Render *), FramePlanPass *row)
+static void pass_smooth_request(const Render *render, FramePlanPass *row)
 {
-    if (draw == pass_rays_draw && !indirect_is_smoothed(render))
-        row->fills = 1u << FRAME_TARGET_open;
-    if (draw == pass_smooth_draw && indirect_keeps(render))
-        row->reads |= 1u << FRAME_TARGET_history;
-    if (draw == pass_spread_draw && is_atrous(render))
-        row->reads |= 1u << FRAME_TARGET_rays;
-    if (draw == pass_spread_draw && indirect_is_repeated(render))
-        row->reads |= 1u << FRAME_TARGET_rays | 1u << FRAME_TARGET_light | 1u << FRAME_TARGET_voxels;
+    row->reads |= indirect_keeps(render) ? FRAME_BIT(history) : 0;
 }
+
+/* For further bounces it reads what rays read. */
+static void pass_spread_request(const Render *render, FramePlanPass *row)
+{
+    if (is_atrous(render))
+        row->reads |= FRAME_BIT(rays);
+    if (indirect_is_repeated(render))
+        row->reads |= FRAME_BIT(rays) | FRAME_BIT(light) | FRAME_BIT(voxels);
+}
+
+const FramePass pass_smooth = {
+    .plan = {"smooth", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(rays), .fills = FRAME_BIT(smooth)},
+    .when = "what rays found is smoothed",
+    .needed = pass_smooth_needed,
+    .request = pass_smooth_request,
+    .make = pass_smooth_make,
+    .draw = pass_smooth_draw,
+};
+
+const FramePass pass_spread = {
+    .plan = {"spread", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(smooth), .fills = FRAME_BIT(open)},
+    .when = "what rays found is smoothed",
+    .needed = pass_smooth_needed,
+    .request = pass_spread_request,
+    .make = pass_spread_make,
+    .draw = pass_spread_draw,
+};

@@ -27,7 +27,7 @@ bool pass_voxels_needed(const Render *render)
 static GLuint make_texture(Render *render, GLenum format, int layers, int levels)
 {
     const GlContext *gl = render->gl;
-    const int size = render->voxels.grid.size;
+    const int size = render->voxels->grid.size;
     const GLenum lanes = format == GL_R32UI ? GL_RED_INTEGER : GL_RGBA_INTEGER;
     GLuint made = 0;
     gl->GenTextures(1, &made);
@@ -43,7 +43,7 @@ static GLuint make_texture(Render *render, GLenum format, int layers, int levels
 
 static bool make_textures(Render *render)
 {
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     const int size = voxels->grid.size;
     voxels->layers = (size + LAYER - 1) / LAYER;
     voxels->levels = 1;
@@ -62,8 +62,8 @@ static bool make_program(Render *render, const char *text, bool casts, Material 
     const char *const version =
         render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 430 core\n";
     char defined[64];
-    snprintf(defined, sizeof defined, "#define VOXEL_SIZE %d\n#define VOXEL_LAYERS %d\n", render->voxels.grid.size,
-             render->voxels.layers);
+    snprintf(defined, sizeof defined, "#define VOXEL_SIZE %d\n#define VOXEL_LAYERS %d\n", render->voxels->grid.size,
+             render->voxels->layers);
     ProgramText program = {.fragment = {version, defined, text}, .vertex = {version}};
     program.vertex[1] = !casts ? screen_text : render->cache.instances ? "#define INSTANCES\n" : "";
     program.vertex[2] = casts ? render_text_shadow_depth : "";
@@ -72,7 +72,7 @@ static bool make_program(Render *render, const char *text, bool casts, Material 
 
 static bool make_programs(Render *render)
 {
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     if (!make_program(render, render_text_voxel_flip, true, &voxels->flip) ||
         !make_program(render, render_text_voxel_touch, true, &voxels->touch) ||
         !make_program(render, render_text_voxel_merge, false, &voxels->merge) ||
@@ -83,9 +83,9 @@ static bool make_programs(Render *render)
     return true;
 }
 
-bool pass_voxels_make(Render *render)
+static bool pass_voxels_make(Render *render)
 {
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     if (!transparency_has_lists(render->gl))
         return gl_fail(render->gl, "voxels take OpenGL 4.3, and the driver has %d.%d", render->gl->major,
                        render->gl->minor);
@@ -104,8 +104,8 @@ static void use_layers(const Render *render, GLuint texture, int level, int firs
     static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
                                      GL_COLOR_ATTACHMENT3};
     const GlContext *gl = render->gl;
-    const int size = render->voxels.grid.size >> level;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, render->voxels.framebuffer);
+    const int size = render->voxels->grid.size >> level;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->voxels->framebuffer);
     for (int i = 0; i < VOXELS_LAYERS_MOST; i++)
         gl->FramebufferTextureLayer(GL_FRAMEBUFFER, buffers[i], i < count ? texture : 0, level,
                                     i < count ? first + i : 0);
@@ -119,12 +119,12 @@ static void cast(Render *render, int axis, int wave, Material *material)
     static const CullVolume all = {.count = 0};
     const CacheSource source = frame_source(render);
     double clip[16];
-    voxel_grid_clip(&render->voxels.grid, axis, render->zero_to_one, clip);
+    voxel_grid_clip(&render->voxels->grid, axis, render->zero_to_one, clip);
     cache_cast(render->gl, &source, &render->cache,
                &(CacheLight){.clip_from_world = clip,
                              .volume = &all,
                              .solid = material,
-                             .waves = render->voxels.waves,
+                             .waves = render->voxels->waves,
                              .wave = wave,
                              .cut = !material},
                false);
@@ -133,7 +133,7 @@ static void cast(Render *render, int axis, int wave, Material *material)
 static void draw_within(Render *render, int wave)
 {
     const GlContext *gl = render->gl;
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     use_layers(render, voxels->within, 0, 0, voxels->layers);
     for (int layer = 0; layer < voxels->layers; layer++)
         gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
@@ -148,8 +148,8 @@ static void draw_within(Render *render, int wave)
 
 static bool has_surfaces(const Render *render)
 {
-    return voxel_bodies_has(&render->voxels, &render->cache, 0) ||
-           voxel_bodies_has(&render->voxels, &render->cache, VOXELS_FINE);
+    return voxel_bodies_has(render->voxels, &render->cache, 0) ||
+           voxel_bodies_has(render->voxels, &render->cache, VOXELS_FINE);
 }
 
 static void tell_cut(Render *render, int axis)
@@ -163,7 +163,7 @@ static void tell_cut(Render *render, int axis)
 static void draw_surface(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     const int words = voxels->grid.size / WORD;
     for (int first = 0; first < words; first += VOXELS_LAYERS_MOST) {
         const int count = words - first < VOXELS_LAYERS_MOST ? words - first : VOXELS_LAYERS_MOST;
@@ -196,7 +196,7 @@ static void bind(const GlContext *gl, GLuint texture, int unit)
 static void merge(Render *render, int wave)
 {
     const GlContext *gl = render->gl;
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     use_layers(render, voxels->map, 0, 0, voxels->layers);
     bind(gl, voxels->within, WITHIN_UNIT);
     bind(gl, voxels->surface, SURFACE_UNIT);
@@ -214,7 +214,7 @@ static void merge(Render *render, int wave)
 static void draw_levels(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     bind(gl, voxels->map, 0);
     for (int level = 1; level < voxels->levels; level++) {
         gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, level - 1);
@@ -227,15 +227,15 @@ static void draw_levels(Render *render)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, voxels->levels - 1);
 }
 
-void pass_voxels_draw(Render *render)
+static void pass_voxels_draw(Render *render)
 {
     const GlContext *gl = render->gl;
-    if (render->voxels.drawn)
+    if (render->voxels->drawn)
         return;
     if (render->zero_to_one)
         gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     draw_surface(render);
-    for (int wave = 1; wave == 1 || wave <= render->voxels.wave_count; wave++) {
+    for (int wave = 1; wave == 1 || wave <= render->voxels->wave_count; wave++) {
         draw_within(render, wave);
         merge(render, wave);
     }
@@ -243,14 +243,14 @@ void pass_voxels_draw(Render *render)
         gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     draw_levels(render);
     voxel_bricks_draw(render);
-    render->voxels.drawn = true;
+    render->voxels->drawn = true;
 }
 
 void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
 {
     const SceneCamera *camera = &render->scene->camera;
     const double *const axes[3] = {camera->right, camera->up, camera->back};
-    const VoxelGrid *grid = &render->voxels.grid;
+    const VoxelGrid *grid = &render->voxels->grid;
     float matrix[16] = {0};
     for (int column = 0; column < 4; column++)
         for (int k = 0; k < 3; k++)
@@ -266,12 +266,12 @@ void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
 void pass_voxels_forget(Render *render)
 {
     for (int i = 0; i < render->cache.place_count; i++)
-        render->voxels.drawn &= render->cache.places[i].cut < 0;
-    render->radiance.drawn = false;
+        render->voxels->drawn &= render->cache.places[i].cut < 0;
+    render->radiance->drawn = false;
 }
 
 /* Also what casts shadows: nodes are lit anew. */
-void pass_voxels_forget_time(Render *render)
+static void pass_voxels_forget_time(Render *render)
 {
     const Cache *cache = &render->cache;
     bool casts = false, cuts = false;
@@ -279,25 +279,26 @@ void pass_voxels_forget_time(Render *render)
         casts |= spaces_by_time(&cache->casters[i].material);
     for (int i = 0; casts && i < cache->place_count; i++)
         cuts |= cache->places[i].cut >= 0 && spaces_by_time(&cache->casters[cache->places[i].cut].material);
-    render->voxels.drawn &= !cuts;
-    render->radiance.drawn &= !casts && !radiance_by_time(render);
+    render->voxels->drawn &= !cuts;
+    render->radiance->drawn &= !casts && !radiance_by_time(render);
 }
 
-bool pass_voxels_change(Render *render)
+/* Moved objects may be outside the grid, or smaller than a voxel. */
+static bool pass_voxels_change(Render *render)
 {
-    if (!render->voxels.map)
+    if (!render->voxels->map)
         return true;
-    render->voxels.grid = voxel_grid(render->scene, &render->cache);
-    if (!voxel_bodies_sort(render, &render->voxels))
+    render->voxels->grid = voxel_grid(render->scene, &render->cache);
+    if (!voxel_bodies_sort(render, render->voxels))
         return gl_fail(render->gl, "out of memory");
-    render->voxels.drawn = render->radiance.drawn = false;
+    render->voxels->drawn = render->radiance->drawn = false;
     return true;
 }
 
-void pass_voxels_delete(Render *render)
+static void pass_voxels_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     Material *materials[] = {&voxels->flip, &voxels->touch, &voxels->fine, &voxels->merge, &voxels->above};
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++)
         if (materials[i]->store)
@@ -313,3 +314,27 @@ void pass_voxels_delete(Render *render)
     free(voxels->fine_rows);
     *voxels = (FrameVoxels){.layers = 0};
 }
+
+static bool pass_voxels_changed(Render *render, unsigned what)
+{
+    if (what & RENDER_TIME)
+        pass_voxels_forget_time(render);
+    return true;
+}
+
+static bool pass_voxels_moved(Render *render, int first, int count)
+{
+    (void)first, (void)count;
+    return pass_voxels_change(render);
+}
+
+const FramePass pass_voxels = {
+    .plan = {"voxels", .fills = FRAME_BIT(voxels)},
+    .when = "voxels are looked at; once, then they are kept",
+    .needed = pass_voxels_needed,
+    .make = pass_voxels_make,
+    .draw = pass_voxels_draw,
+    .changed = pass_voxels_changed,
+    .moved = pass_voxels_moved,
+    .forget = pass_voxels_delete,
+};

@@ -38,7 +38,7 @@ static bool make_keepers(Render *render)
 {
     const Cache *cache = &render->cache;
     const Set *set = &render->set;
-    FrameRadiance *radiance = &render->radiance;
+    FrameRadiance *radiance = render->radiance;
     TransparencyText *around = malloc(sizeof *around);
     bool fine = around != NULL;
     radiance->keeper_count = cache->kind_count;
@@ -67,9 +67,9 @@ static bool make_number(Render *render)
     const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
     const ProgramText text = {
         .compute = {modern ? "#version 450 core\n" : "#version 430 core\n", render_text_radiance_number}};
-    if (!material_make(render->store, NULL, &text, &render->radiance.number))
+    if (!material_make(render->store, NULL, &text, &render->radiance->number))
         return false;
-    material_set_number(&render->radiance.number, "radiance_stride", (float)transparency_stride(&render->set));
+    material_set_number(&render->radiance->number, "radiance_stride", (float)transparency_stride(&render->set));
     return true;
 }
 
@@ -89,12 +89,12 @@ static bool make_light(Render *render)
         .body = {reader, defined, render_text_voxel_map, render_text_radiance_place, render_text_radiance_light},
         .block = 64,
         .of = LIGHTING_nodes};
-    return lighting_make(render, &text, &render->radiance.light);
+    return lighting_make(render, &text, &render->radiance->light);
 }
 
 static bool make_bounce(Render *render)
 {
-    ScreenPass *bounce = &render->radiance.bounce;
+    ScreenPass *bounce = &render->radiance->bounce;
     char defined[RADIANCE_DEFINITIONS], strides[RADIANCE_DEFINITIONS];
     radiance_define(render, defined);
     snprintf(strides, sizeof strides, "#define LISTS_STRIDE %du\n#define RADIANCE_RAYS %d\n",
@@ -131,7 +131,7 @@ bool radiance_make_room(Render *render, GLuint nodes)
     const size_t texels = (size_t)nodes * (size_t)radiance_texels(render), floats = texels * FLOATS;
     const size_t words = (size_t)nodes * (size_t)transparency_stride(&render->set);
     const size_t most = transparency_most_bytes(render);
-    FrameRadiance *radiance = &render->radiance;
+    FrameRadiance *radiance = render->radiance;
     GLint texels_most = 0;
     render->gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels_most);
     if (floats * sizeof(float) > most || words * sizeof(GLuint) > most || texels > (size_t)texels_most)
@@ -146,9 +146,9 @@ bool radiance_make_room(Render *render, GLuint nodes)
 static bool make_buffers(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameRadiance *radiance = &render->radiance;
+    FrameRadiance *radiance = render->radiance;
     const size_t size =
-        (size_t)(render->voxels.grid.size < RADIANCE_SIZE_MOST ? render->voxels.grid.size : RADIANCE_SIZE_MOST);
+        (size_t)(render->voxels->grid.size < RADIANCE_SIZE_MOST ? render->voxels->grid.size : RADIANCE_SIZE_MOST);
     radiance->size = (int)size;
     gl->GenBuffers(1, &radiance->faces);
     gl->GenBuffers(1, &radiance->nodes);
@@ -165,7 +165,7 @@ void radiance_sort(Render *render)
     const Cache *cache = &render->cache;
     for (int i = 0; i < cache->place_count; i++) {
         const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid && cache->places[i].cut < 0;
-        render->radiance.casts[i] = voxel_bodies_is_body(&render->voxels, i) ? RADIANCE_body
+        render->radiance->casts[i] = voxel_bodies_is_body(render->voxels, i) ? RADIANCE_body
                                     : closed                ? RADIANCE_closed
                                                             : RADIANCE_surface;
     }
@@ -173,8 +173,8 @@ void radiance_sort(Render *render)
 
 bool radiance_make(Render *render)
 {
-    render->radiance.casts = calloc((size_t)render->cache.place_count + 1, sizeof *render->radiance.casts);
-    if (!render->radiance.casts)
+    render->radiance->casts = calloc((size_t)render->cache.place_count + 1, sizeof *render->radiance->casts);
+    if (!render->radiance->casts)
         return gl_fail(render->gl, "out of memory");
     return make_buffers(render) && make_keepers(render) && make_number(render) && make_light(render) &&
            make_bounce(render);
@@ -185,17 +185,17 @@ bool radiance_make(Render *render)
 void radiance_set(const Render *render, int unit, ScreenPass *pass)
 {
     int shift = 0;
-    while (render->voxels.grid.size >> shift > render->radiance.size)
+    while (render->voxels->grid.size >> shift > render->radiance->size)
         shift++;
     screen_pass_sampler(pass, "radiance_faces", unit);
     screen_pass_sampler(pass, "radiance_kept", unit + 1);
-    material_set_number(&pass->material, "radiance_size", (float)render->radiance.size);
+    material_set_number(&pass->material, "radiance_size", (float)render->radiance->size);
     material_set_number(&pass->material, "radiance_shift", (float)shift);
 }
 
 void radiance_bind(const Render *render, int unit)
 {
-    const GLuint textures[RADIANCE_UNITS] = {render->radiance.faces_words, render->radiance.kept_texels};
+    const GLuint textures[RADIANCE_UNITS] = {render->radiance->faces_words, render->radiance->kept_texels};
     for (int i = 0; i < RADIANCE_UNITS; i++) {
         render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)(unit + i));
         render->gl->BindTexture(GL_TEXTURE_BUFFER, textures[i]);
@@ -206,17 +206,17 @@ bool radiance_param(Render *render, int material, const MaterialValue *value)
 {
     const Cache *cache = &render->cache;
     bool found = false;
-    for (int i = 0; i < cache->place_count && render->radiance.keepers; i++)
+    for (int i = 0; i < cache->place_count && render->radiance->keepers; i++)
         if (render->scene->objects[cache->places[i].object].material == material &&
-            render->radiance.keepers[cache->places[i].kind].store)
-            found |= material_set(&render->radiance.keepers[cache->places[i].kind], value);
-    render->radiance.drawn = false;
+            render->radiance->keepers[cache->places[i].kind].store)
+            found |= material_set(&render->radiance->keepers[cache->places[i].kind], value);
+    render->radiance->drawn = false;
     return found;
 }
 
 bool radiance_by_time(const Render *render)
 {
-    const FrameRadiance *radiance = &render->radiance;
+    const FrameRadiance *radiance = render->radiance;
     bool is = false;
     for (int i = 0; i < radiance->keeper_count; i++)
         is |= radiance->keepers[i].store && spaces_by_time(&radiance->keepers[i]);
@@ -225,7 +225,7 @@ bool radiance_by_time(const Render *render)
 
 void radiance_put(Text *out, const Render *render)
 {
-    const FrameRadiance *radiance = &render->radiance;
+    const FrameRadiance *radiance = render->radiance;
     const unsigned long each = sizeof(GLuint) * (unsigned long)transparency_stride(&render->set) +
                                sizeof(float) * FLOATS * (unsigned long)radiance_texels(render);
     if (radiance->count)
@@ -237,7 +237,7 @@ void radiance_put(Text *out, const Render *render)
 void radiance_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameRadiance *radiance = &render->radiance;
+    FrameRadiance *radiance = render->radiance;
     const GLuint buffers[] = {radiance->faces, radiance->nodes, radiance->kept};
     const GLuint textures[] = {radiance->faces_words, radiance->kept_texels};
     for (int i = 0; i < radiance->keeper_count; i++)

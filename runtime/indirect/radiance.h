@@ -9,6 +9,8 @@
  * Made when objects, materials or lights are others; it does not know the camera. */
 #ifndef MATC_INDIRECT_RADIANCE_H
 #define MATC_INDIRECT_RADIANCE_H
+#include "runtime/frame/frame_pass.h"
+#include "runtime/indirect/indirect_state.h"
 #include "compiler/base/text.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/frame/render_options.h"
@@ -40,8 +42,8 @@ bool radiance_param(Render *render, int material, const MaterialValue *value);
 /* What a surface sends goes by the time. */
 bool radiance_by_time(const Render *render);
 
-bool pass_radiance_make(Render *render);
 /* Objects, materials or lights are others. */
 bool pass_radiance_change(Render *render);
-void pass_radiance_draw(Render *render);
+/* The rows of the frame graph. */
+extern const FramePass pass_radiance;
 #endif

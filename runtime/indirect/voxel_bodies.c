@@ -118,7 +118,7 @@ bool voxel_bodies_is_body(const FrameVoxels *voxels, int place)
 /* What is cut out asks its material, and what the driver displaces has its triangles there alone: both are the rasteriser's. */
 unsigned char voxel_bodies_surface(const Render *render, int number)
 {
-    const FrameVoxels *voxels = &render->voxels;
+    const FrameVoxels *voxels = render->voxels;
     const CachePlace *place = &render->cache.places[number];
     const double longest = voxels->shapes[place->mesh].longest *
                            stretch(&render->scene->objects[place->object].world_from_local) / voxels->grid.edge;
@@ -149,7 +149,7 @@ static bool meets(const VoxelRange *a, const VoxelRange *b)
 
 VoxelKind voxel_bodies_kind(const Render *render, int number)
 {
-    const FrameVoxels *voxels = &render->voxels;
+    const FrameVoxels *voxels = render->voxels;
     const CachePlace *place = &render->cache.places[number];
     const VoxelShape *shape = &voxels->shapes[place->mesh];
     if (!shape->closed)

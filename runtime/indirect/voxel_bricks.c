@@ -24,7 +24,7 @@ static GLsizeiptr bytes_of(const FrameVoxels *voxels)
 bool voxel_bricks_make(Render *render)
 {
     GlContext *gl = render->gl;
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     const bool modern = gl->major * 10 + gl->minor >= 45;
     const ProgramText text = {
         .compute = {modern ? "#version 450 core\n" : "#version 430 core\n", render_text_voxel_bricks}};
@@ -44,7 +44,7 @@ bool voxel_bricks_make(Render *render)
 void voxel_bricks_draw(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     const int lowest = log_of(voxels);
     gl->ActiveTexture(GL_TEXTURE0 + MAP_UNIT);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, voxels->map);
@@ -62,12 +62,12 @@ void voxel_bricks_draw(Render *render)
 void voxel_bricks_bind(const Render *render, int unit)
 {
     render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    render->gl->BindTexture(GL_TEXTURE_BUFFER, render->voxels.bricks);
+    render->gl->BindTexture(GL_TEXTURE_BUFFER, render->voxels->bricks);
 }
 
 void voxel_bricks_delete(Render *render)
 {
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     if (voxels->brick.store)
         material_delete(&voxels->brick);
     render->gl->DeleteTextures(1, &voxels->bricks); /* GL ignores the name 0 */

@@ -16,11 +16,11 @@ bool voxel_fine_make(Render *render)
     const ProgramText text = {
         .compute = {modern ? "#version 450 core\n" : "#version 430 core\n", defined, render_text_voxel_fine}};
     snprintf(defined, sizeof defined, "#define FINE_STRIDE %d\n", (int)(sizeof(ShapeVertex) / sizeof(float)));
-    gl->GenBuffers(1, &render->voxels.fine_places);
-    render->voxels.fine_rows = malloc((size_t)render->cache.place_count * sizeof *render->voxels.fine_rows + 1);
-    if (!render->voxels.fine_rows)
+    gl->GenBuffers(1, &render->voxels->fine_places);
+    render->voxels->fine_rows = malloc((size_t)render->cache.place_count * sizeof *render->voxels->fine_rows + 1);
+    if (!render->voxels->fine_rows)
         return gl_fail(gl, "out of memory");
-    return material_make(render->store, NULL, &text, &render->voxels.fine) &&
+    return material_make(render->store, NULL, &text, &render->voxels->fine) &&
            gl_check(gl, "making room for fine surfaces");
 }
 
@@ -37,7 +37,7 @@ static void put_place(const VoxelGrid *grid, const SceneMatrix *world_from_local
 static void touch(Render *render, int mesh, int count)
 {
     const GlContext *gl = render->gl;
-    const FrameVoxels *voxels = &render->voxels;
+    const FrameVoxels *voxels = render->voxels;
     const Mesh *drawn = &render->cache.meshes[mesh];
     const GLuint groups = (GLuint)((drawn->index_count / 3 + GROUP - 1) / GROUP);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, voxels->fine_places);
@@ -54,7 +54,7 @@ static void touch(Render *render, int mesh, int count)
 void voxel_fine_draw(Render *render)
 {
     const Cache *cache = &render->cache;
-    FrameVoxels *voxels = &render->voxels;
+    FrameVoxels *voxels = render->voxels;
     if (!voxel_bodies_has(voxels, cache, VOXELS_FINE))
         return;
     material_use(&voxels->fine);

@@ -17,7 +17,7 @@ int voxels_view_level(const char *view)
 void voxels_put(Text *out, const Render *render)
 {
     enum { DIGITS = 3 };
-    const FrameVoxels *voxels = &render->voxels;
+    const FrameVoxels *voxels = render->voxels;
     const int size = voxels->grid.size;
     int counts[VOXEL_KINDS] = {0}, cut = 0;
     for (int i = 0; i < render->cache.place_count; i++) {

@@ -3,9 +3,10 @@
  * a line through voxels' middles, along x, y or z, meets a triangle. No way from middle to middle gets through a surface without meeting a full one. */
 #ifndef MATC_INDIRECT_VOXELS_H
 #define MATC_INDIRECT_VOXELS_H
+#include "runtime/frame/frame_pass.h"
 #include "compiler/base/text.h"
 #include "runtime/cache/cache.h"
-#include "runtime/frame/frame_indirect.h"
+#include "runtime/indirect/indirect_state.h"
 #include "runtime/frame/render_options.h"
 
 enum { VOXELS_LAYERS_MOST = 4, VOXELS_LEVELS_MOST = 10, VOXELS_WAVES_MOST = 8, VOXELS_FINE = VOXELS_WAVES_MOST + 1 };
@@ -36,18 +37,11 @@ bool voxel_bodies_is_body(const FrameVoxels *voxels, int place);
 bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave);
 
 bool pass_voxels_needed(const Render *render);
-bool pass_voxels_make(Render *render);
-void pass_voxels_draw(Render *render);
 /* Materials are others, and with them what is cut out. */
 void pass_voxels_forget(Render *render);
-/* The time is another: voxels and cached radiance stay where no program that they are made by reads it. */
-void pass_voxels_forget_time(Render *render);
-/* Objects have moved: they may be too far out, or too small, for the voxels that there are. */
-bool pass_voxels_change(Render *render);
 /* Tells a pass that has voxel_map.glsl in its text which unit the bricks are bound to, and where the eye is in them: when it is made, and when the camera or
  * objects have moved. */
 void pass_voxels_set(const Render *render, int unit, ScreenPass *pass);
-void pass_voxels_delete(Render *render);
 
 /* voxel_fine.c. Adds surfaces of small triangles to the texture `surface`, which is bound as image 0. */
 bool voxel_fine_make(Render *render);
@@ -68,11 +62,6 @@ bool voxels_have(const CachePlace *place);
 /* Lines on them, for --stats. */
 void voxels_put(Text *out, const Render *render);
 
-/* The pass that shows them as cubes. */
-bool pass_cubes_needed(const Render *render);
-bool pass_cubes_make(Render *render);
-/* The camera, the tile or the voxels are others. */
-void pass_cubes_place(Render *render);
-void pass_cubes_draw(Render *render);
-void pass_cubes_delete(Render *render);
+/* The rows of the frame graph. */
+extern const FramePass pass_voxels, pass_cubes;
 #endif

@@ -16,7 +16,7 @@ void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_
 {
     snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n#define FAR_INVOCATIONS %d\n%s",
              light_far_most(render), render->gl->hardware ? invocations_hardware[use] : INVOCATIONS_SOFTWARE,
-             render->light.counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
+             render->light->counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
 }
 
 /* Behind transparent layers what is relative stays so, and what is not may grow. */
@@ -34,15 +34,15 @@ void light_far_set(const Render *render, ScreenPass *pass)
 
 void light_far_bind(const Render *render)
 {
-    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NUMBERS_BINDING, render->light.far.numbers);
-    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, WORDS_BINDING, render->light.far.words);
+    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NUMBERS_BINDING, render->light->far.numbers);
+    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, WORDS_BINDING, render->light->far.words);
 }
 
 void light_far_bind_read(const Render *render)
 {
     const GlContext *gl = render->gl;
     gl->ActiveTexture(GL_TEXTURE0 + TEXELS_UNIT);
-    gl->BindTexture(GL_TEXTURE_BUFFER, render->light.far.texels);
+    gl->BindTexture(GL_TEXTURE_BUFFER, render->light->far.texels);
     gl->ActiveTexture(GL_TEXTURE0 + BITS_UNIT);
-    gl->BindTexture(GL_TEXTURE_BUFFER, render->light.far.bits);
+    gl->BindTexture(GL_TEXTURE_BUFFER, render->light->far.bits);
 }

@@ -2,6 +2,7 @@
  * gather and light go by (light_far.c). */
 #ifndef MATC_RENDER_LIGHT_FAR_H
 #define MATC_RENDER_LIGHT_FAR_H
+#include "runtime/light/light_state.h"
 #include "runtime/frame/frame.h"
 
 /* The choice can be met; why far ones are not taken together, NULL: they are. */

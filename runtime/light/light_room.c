@@ -79,21 +79,21 @@ static void make_view(const Render *render, GLenum format, GLuint buffer, GLuint
 
 bool light_far_make(Render *render)
 {
-    make_buffer(render, numbers_bytes, &render->light.far.numbers);
-    make_buffer(render, words_bytes(render), &render->light.far.words);
-    make_view(render, GL_RGBA32F, render->light.far.numbers, &render->light.far.texels);
-    make_view(render, GL_R32UI, render->light.far.words, &render->light.far.bits);
+    make_buffer(render, numbers_bytes, &render->light->far.numbers);
+    make_buffer(render, words_bytes(render), &render->light->far.words);
+    make_view(render, GL_RGBA32F, render->light->far.numbers, &render->light->far.texels);
+    make_view(render, GL_R32UI, render->light->far.words, &render->light->far.bits);
     return gl_check(render->gl, "making room for many lights");
 }
 
 void light_far_delete(Render *render)
 {
-    screen_pass_delete(&render->light.far.groups);
-    screen_pass_delete(&render->light.far.near);
-    screen_pass_delete(&render->light.far.gather);
-    render->gl->DeleteTextures(1, &render->light.far.texels); /* GL ignores the name 0 */
-    render->gl->DeleteTextures(1, &render->light.far.bits);
-    render->gl->DeleteBuffers(1, &render->light.far.numbers);
-    render->gl->DeleteBuffers(1, &render->light.far.words);
-    render->light.far = (FrameFar){0};
+    frame_retire(render, &render->light->far.groups);
+    frame_retire(render, &render->light->far.near);
+    frame_retire(render, &render->light->far.gather);
+    render->gl->DeleteTextures(1, &render->light->far.texels); /* GL ignores the name 0 */
+    render->gl->DeleteTextures(1, &render->light->far.bits);
+    render->gl->DeleteBuffers(1, &render->light->far.numbers);
+    render->gl->DeleteBuffers(1, &render->light->far.words);
+    render->light->far = (FrameFar){0};
 }

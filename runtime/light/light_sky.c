@@ -165,12 +165,12 @@ static bool draw_face(Render *render, int face, const Framebuffer *target, float
     for (int i = 0; i < 4 * FACE * FACE; i++) /* what a half float holds, and no more; not a number is black */
         rgba[i] = rgba[i] > 0 ? fminf(rgba[i], 65504) : 0;
     for (int i = 0; i < 4 * FACE * FACE; i += 4)
-        render->light.sky.uneven |=
-            memcmp(rgba + i, face ? render->light.sky.first : rgba, sizeof render->light.sky.first) != 0;
+        render->light->sky.uneven |=
+            memcmp(rgba + i, face ? render->light->sky.first : rgba, sizeof render->light->sky.first) != 0;
     if (!face)
-        memcpy(render->light.sky.first, rgba, sizeof render->light.sky.first);
+        memcpy(render->light->sky.first, rgba, sizeof render->light->sky.first);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light.sky.map);
+    gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
     gl->TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)face, 0, GL_RGBA16F, FACE, FACE, 0, GL_RGBA, GL_FLOAT,
                    rgba);
     return gl_check(gl, "drawing the sky");
@@ -180,9 +180,9 @@ static void make_map(Render *render)
 {
     GlContext *gl = render->gl;
     gl->Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    gl->GenTextures(1, &render->light.sky.map);
+    gl->GenTextures(1, &render->light->sky.map);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light.sky.map);
+    gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
     gl->TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl->TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
@@ -204,9 +204,9 @@ bool light_sky_make(Render *render)
             add_face(faces[face], rgba, moments);
     }
     if (fine) {
-        gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light.sky.map);
+        gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
         gl->GenerateMipmap(GL_TEXTURE_CUBE_MAP);
-        make_numbers(moments, render->light.sky.irradiance);
+        make_numbers(moments, render->light->sky.irradiance);
     }
     const Spaces seen = view_space_of_sky(&render->space);
     spaces_set(&seen, &render->cache.sky);
@@ -219,7 +219,7 @@ bool light_sky_make(Render *render)
 void light_sky_set(const Render *render, int unit, ScreenPass *pass)
 {
     float numbers[SKY_NUMBERS + 4][4] = {{0}};
-    memcpy(numbers, render->light.sky.irradiance, sizeof render->light.sky.irradiance);
+    memcpy(numbers, render->light->sky.irradiance, sizeof render->light->sky.irradiance);
     for (int row = 0; row < 3; row++) { /* the inverse of a rotation is its transpose */
         for (int i = 0; i < 3; i++)
             numbers[SKY_NUMBERS + row][i] = (float)render->space.eye_from_world[4 * row + i];
@@ -232,5 +232,5 @@ void light_sky_set(const Render *render, int unit, ScreenPass *pass)
 void light_sky_bind(const Render *render, int unit)
 {
     render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    render->gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light.sky.map);
+    render->gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
 }

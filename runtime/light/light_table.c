@@ -19,7 +19,7 @@ static int room_for(int texels)
 
 static bool write_texture(Render *render, int unit)
 {
-    LightTable *lights = &render->light.table;
+    LightTable *lights = &render->light->table;
     const TextureSpec spec = {.width = lights->count < ROW ? lights->count : ROW,
                               .height = (lights->count + ROW - 1) / ROW,
                               .lanes = 4,
@@ -37,25 +37,25 @@ static bool fits_block(const Render *render)
 {
     GLint most = 0;
     render->gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
-    return (size_t)render->light.table.count * sizeof *render->light.table.texels <= (size_t)most;
+    return (size_t)render->light->table.count * sizeof *render->light->table.texels <= (size_t)most;
 }
 
 bool light_table_write(Render *render, int unit)
 {
-    LightTable *lights = &render->light.table;
-    const bool others = render->light.counts[VIEW_SPACE_POINTS] > 0;
+    LightTable *lights = &render->light->table;
+    const bool others = render->light->counts[VIEW_SPACE_POINTS] > 0;
     if (!lights->texels)
         lights->texels =
             calloc((size_t)room_for(render->scene->light_count * VIEW_SPACE_LIGHT_TEXELS), sizeof *lights->texels);
     if (!lights->texels)
         return gl_fail(render->gl, "out of memory");
-    view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels, render->light.counts);
-    if (light_far_used(render) && !light_order((float(*)[2][4])lights->texels, render->light.counts[VIEW_SPACE_PLAIN]))
+    view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels, render->light->counts);
+    if (light_far_used(render) && !light_order((float(*)[2][4])lights->texels, render->light->counts[VIEW_SPACE_PLAIN]))
         return gl_fail(render->gl, "out of memory");
-    shadow_put_lights(render, lights->texels);
-    if (render->light.far.numbers && others != (render->light.counts[VIEW_SPACE_POINTS] > 0))
+    shadow_put_lights(render, render->light->counts, lights->texels);
+    if (render->light->far.numbers && others != (render->light->counts[VIEW_SPACE_POINTS] > 0))
         return gl_fail(render->gl, "lights cast shadows, or do not, where none did otherwise: this is another scene");
-    const int count = room_for(view_space_texels(render->light.counts, VIEW_SPACE_SECTIONS));
+    const int count = room_for(view_space_texels(render->light->counts, VIEW_SPACE_SECTIONS));
     if (lights->count && count > lights->count)
         return gl_fail(render->gl, "the lights take %d texels, not %d: this is another scene", count, lights->count);
     lights->count = lights->count ? lights->count : count;
@@ -66,12 +66,12 @@ void light_table_define(const Render *render, bool scattered, char defined[LIGHT
 {
     *defined = 0;
     if (fits_block(render) && !scattered)
-        snprintf(defined, LIGHT_TABLE_DEFINITION, "#define LIGHT_BLOCK %d\n", render->light.table.count);
+        snprintf(defined, LIGHT_TABLE_DEFINITION, "#define LIGHT_BLOCK %d\n", render->light->table.count);
 }
 
 void light_table_set(const Render *render, int unit, ScreenPass *pass)
 {
-    const LightTable *lights = &render->light.table;
+    const LightTable *lights = &render->light->table;
     if (lights->texture)
         screen_pass_sampler(pass, "light_lights", unit);
     if (fits_block(render)) /* a program has the one or the other */
@@ -80,13 +80,13 @@ void light_table_set(const Render *render, int unit, ScreenPass *pass)
 
 void light_table_bind(const Render *render, int unit)
 {
-    if (render->light.table.texture)
-        texture_bind(render->gl, render->light.table.texture, unit);
+    if (render->light->table.texture)
+        texture_bind(render->gl, render->light->table.texture, unit);
 }
 
 void light_table_delete(Render *render)
 {
-    render->gl->DeleteTextures(1, &render->light.table.texture); /* GL ignores the name 0 */
-    free(render->light.table.texels);
-    render->light.table = (LightTable){0};
+    render->gl->DeleteTextures(1, &render->light->table.texture); /* GL ignores the name 0 */
+    free(render->light->table.texels);
+    render->light->table = (LightTable){0};
 }

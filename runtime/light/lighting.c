@@ -48,9 +48,9 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     lighting_place(render, pass);
     set(pass, "light_view", render->space.depth);
     set(pass, "light_ambient", ambient);
-    material_set_number(&pass->material, "light_plain", (float)render->light.counts[VIEW_SPACE_PLAIN]);
-    material_set_number(&pass->material, "light_points", (float)render->light.counts[VIEW_SPACE_POINTS]);
-    material_set_number(&pass->material, "light_areas", (float)render->light.counts[VIEW_SPACE_AREAS]);
+    material_set_number(&pass->material, "light_plain", (float)render->light->counts[VIEW_SPACE_PLAIN]);
+    material_set_number(&pass->material, "light_points", (float)render->light->counts[VIEW_SPACE_POINTS]);
+    material_set_number(&pass->material, "light_areas", (float)render->light->counts[VIEW_SPACE_AREAS]);
     for (int i = 0; i < targets; i++) {
         name[sizeof name - 2] = (char)('0' + i);
         screen_pass_sampler(pass, name, i);
@@ -77,7 +77,7 @@ static void add_surface(const Render *render, bool places, ScreenPassText *text)
 {
     float hemisphere[VIEW_SPACE_HEMISPHERE][4];
     screen_pass_add(text, render->set.unpack ? render->set.unpack : no_surface);
-    if (places && render->light.counts[VIEW_SPACE_AREAS] > 0)
+    if (places && render->light->counts[VIEW_SPACE_AREAS] > 0)
         screen_pass_add(text, render_text_light_area);
     if (light_sky_shines(render->scene))
         screen_pass_add(text, render_text_light_sky);
@@ -124,8 +124,8 @@ static void add_lighting(const Render *render, LightingOf of, ScreenPassText *te
 
 static bool make_what_it_reads(Render *render)
 {
-    return (render->light.table.texels || lighting_lights(render)) && shadow_make_tables(render) &&
-           (!light_sky_shines(render->scene) || render->light.sky.map || light_sky_make(render));
+    return (render->light->table.texels || lighting_lights(render)) && shadow_make_tables(render) &&
+           (!light_sky_shines(render->scene) || render->light->sky.map || light_sky_make(render));
 }
 
 bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
@@ -153,14 +153,22 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     return true;
 }
 
-bool lighting_change(Render *render, ScreenPass *pass)
+bool lighting_changed(Render *render, unsigned what, ScreenPass *pass)
 {
+    if (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || !pass->material.store)
+        return true;
     if (!light_table_write(render, LIGHTS_UNIT))
         return false;
     set_numbers(render, pass);
-    if (render->light.sky.map)
+    if (render->light->sky.map)
         light_sky_set(render, SKY_UNIT, pass);
     return true;
+}
+
+void lighting_moved(const Render *render, ScreenPass *pass)
+{
+    if (pass->material.store)
+        pass_exact_set(render, EXACT_UNIT, pass);
 }
 
 void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth)
@@ -173,7 +181,7 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
     pass_exact_bind(render, EXACT_UNIT);
     if (facet_lights_cast(render))
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_seen, 0), EXACT_UNIT);
-    if (render->light.sky.map)
+    if (render->light->sky.map)
         light_sky_bind(render, SKY_UNIT);
 }
 

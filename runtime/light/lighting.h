@@ -1,19 +1,15 @@
 /* Light on surfaces: its passes, what lights are as numbers, the sky as a light, what stands behind everything. */
 #ifndef MATC_LIGHT_LIGHTING_H
 #define MATC_LIGHT_LIGHTING_H
-#include "runtime/frame/frame.h"
+#include "runtime/light/light_state.h"
+#include "runtime/frame/frame_pass.h"
 
-/* The sky as a light (light_sky.c): the scene has one that shines; makes render->light.sky, with the cache's sky; tells a pass; binds its map. */
+/* The sky as a light (light_sky.c): the scene has one that shines; makes render->light->sky, with the cache's sky; tells a pass; binds its map. */
 bool light_sky_shines(const Scene *scene);
 bool light_sky_make(Render *render);
 void light_sky_set(const Render *render, int unit, ScreenPass *pass);
 void light_sky_bind(const Render *render, int unit);
-bool pass_gather_needed(const Render *render);
-bool pass_gather_make(Render *render);
-void pass_gather_draw(Render *render);
-bool pass_light_needed(const Render *render);
-bool pass_light_make(Render *render);
-void pass_light_draw(Render *render);
+extern const FramePass pass_gather, pass_light;
 
 /* What a pass lights, and by what: layers of what is transparent by all lights; what is nearest, at which hybrid shadows were counted, by all lights but
  * those that indirect light dims; or that by light from all around alone, without any that has a place, and without shadows; nodes of cached radiance, by the lights of what is
@@ -48,8 +44,9 @@ void light_table_bind(const Render *render, int unit);
 void light_table_delete(Render *render);
 /* Tells it where the tile is, if it is made. */
 void lighting_place(const Render *render, ScreenPass *pass);
-/* The camera or lights are others; there are as many. */
-bool lighting_change(Render *render, ScreenPass *pass);
+/* If it is made: the camera or lights are others, of which there are as many; objects have moved. */
+bool lighting_changed(Render *render, unsigned what, ScreenPass *pass);
+void lighting_moved(const Render *render, ScreenPass *pass);
 /* Runs it over the light, once for each part of shadows' lists. It reads these targets, and a texture of its own, or 0. */
 typedef struct {
     FrameTarget surfaces, depth;

@@ -7,7 +7,7 @@
 extern const char render_text_far_terms[], render_text_far_blocks[], render_text_far_group[], render_text_far_lobe[],
     render_text_far_light[], render_text_pass_near[], render_text_pass_groups[], render_text_pass_gather[];
 
-bool pass_gather_needed(const Render *render) { return render->scene && light_far_used(render); }
+static bool pass_gather_needed(const Render *render) { return render->scene && light_far_used(render); }
 
 /* `texts` stand behind what all have, the pass's own last. */
 static bool make(Render *render, LightFarUse use, const char *const texts[3], ScreenPass *made)
@@ -25,14 +25,14 @@ static bool make(Render *render, LightFarUse use, const char *const texts[3], Sc
     return true;
 }
 
-bool pass_gather_make(Render *render)
+static bool pass_gather_make(Render *render)
 {
     static const char *const texts[][3] = {
         [LIGHT_FAR_groups] = {render_text_pass_groups},
         [LIGHT_FAR_near] = {render_text_far_lobe, render_text_far_light, render_text_pass_near},
         [LIGHT_FAR_gather] = {render_text_far_lobe, render_text_far_light, render_text_pass_gather}};
-    FrameFar *far = &render->light.far;
-    if ((!render->light.table.texels && !lighting_lights(render)) ||
+    FrameFar *far = &render->light->far;
+    if ((!render->light->table.texels && !lighting_lights(render)) ||
         !make(render, LIGHT_FAR_groups, texts[LIGHT_FAR_groups], &far->groups) ||
         !make(render, LIGHT_FAR_near, texts[LIGHT_FAR_near], &far->near) ||
         !make(render, LIGHT_FAR_gather, texts[LIGHT_FAR_gather], &far->gather))
@@ -41,11 +41,42 @@ bool pass_gather_make(Render *render)
     return light_far_make(render);
 }
 
-void pass_gather_draw(Render *render)
+static void pass_gather_draw(Render *render)
 {
     lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     light_far_bind(render);
-    screen_pass_run(&render->light.far.groups, &render->targets.draws[FRAME_DRAW_light], &render->screen);
-    screen_pass_run(&render->light.far.near, &render->targets.draws[FRAME_DRAW_light], &render->screen);
-    screen_pass_run(&render->light.far.gather, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->light->far.groups, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->light->far.near, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->light->far.gather, &render->targets.draws[FRAME_DRAW_light], &render->screen);
 }
+
+static void pass_gather_place(Render *render) { lighting_place(render, &render->light->far.groups); }
+
+static bool pass_gather_changed(Render *render, unsigned what)
+{
+    FrameFar *far = &render->light->far;
+    return lighting_changed(render, what, &far->groups) && lighting_changed(render, what, &far->near) &&
+           lighting_changed(render, what, &far->gather);
+}
+
+static bool pass_gather_moved(Render *render, int first, int count)
+{
+    (void)first, (void)count;
+    lighting_moved(render, &render->light->far.groups);
+    lighting_moved(render, &render->light->far.near);
+    lighting_moved(render, &render->light->far.gather);
+    return true;
+}
+
+const FramePass pass_gather = {
+    .plan = {"gather", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(mask), .fills = FRAME_BIT(far)},
+    .when = "lights are many, and far ones are taken together",
+    .needed = pass_gather_needed,
+    .lacks = light_far_lacks,
+    .make = pass_gather_make,
+    .draw = pass_gather_draw,
+    .place = pass_gather_place,
+    .changed = pass_gather_changed,
+    .moved = pass_gather_moved,
+    .forget = light_far_delete,
+};

@@ -10,7 +10,7 @@
 
 extern const char render_text_tools_vertex[], render_text_tools_fragment[];
 
-bool pass_tools_needed(const Render *render)
+static bool pass_tools_needed(const Render *render)
 {
     const char *view = render->options.view;
     const SceneTools *tools = render->scene ? &render->scene->tools : NULL;
@@ -24,12 +24,12 @@ bool pass_tools_are_there(const Render *render) { return render->targets.plan.th
 
 static void set(Render *render, const char *name, const float values[4])
 {
-    material_set(&render->picture.tools.material, &(MaterialValue){name, 4, values});
+    material_set(&render->picture->tools.material, &(MaterialValue){name, 4, values});
 }
 
-void pass_tools_place(Render *render)
+static void pass_tools_place(Render *render)
 {
-    if (render->picture.tools.material.store)
+    if (render->picture->tools.material.store)
         set(render, "tools_ray", render->space.ray);
 }
 
@@ -47,13 +47,13 @@ static bool make_vertices(Render *render)
     ToolLines lines;
     if (!tool_lines_make(render->scene, &render->space, &lines))
         return gl_fail(render->gl, "out of memory");
-    render->picture.tools.count = lines.count;
-    if (!render->picture.tools.array) {
-        gl->GenVertexArrays(1, &render->picture.tools.array);
-        gl->GenBuffers(1, &render->picture.tools.buffer);
+    render->picture->tools.count = lines.count;
+    if (!render->picture->tools.array) {
+        gl->GenVertexArrays(1, &render->picture->tools.array);
+        gl->GenBuffers(1, &render->picture->tools.buffer);
     }
-    gl->BindVertexArray(render->picture.tools.array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, render->picture.tools.buffer);
+    gl->BindVertexArray(render->picture->tools.array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, render->picture->tools.buffer);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)lines.count * (GLsizeiptr)sizeof *lines.vertices, lines.vertices,
                    GL_DYNAMIC_DRAW);
     for (GLuint i = 0; i < 2; i++) {
@@ -67,10 +67,10 @@ static bool make_vertices(Render *render)
     return gl_check(render->gl, "making lines of tools");
 }
 
-bool pass_tools_change(Render *render)
+static bool pass_tools_change(Render *render)
 {
     const float *m = render->space.spaces.clip_from_eye.m;
-    if (!render->picture.tools.material.store)
+    if (!render->picture->tools.material.store)
         return true;
     set(render, "tools_clip", (float[]){m[0], m[5], m[10], m[14]});
     set(render, "tools_w", (float[]){m[11], m[15], 0, 0});
@@ -92,29 +92,29 @@ static bool make_targets(Render *render)
                                        .depth = frame_texture(render, FRAME_TARGET_depth, 0),
                                        .formats = {format, format}},
                               veil = {.colors = {shown}, .formats = {format}};
-    return framebuffer_make_around(render->gl, &both, &lines, &render->picture.tools.lines) &&
-           framebuffer_make_around(render->gl, &alone, &veil, &render->picture.tools.colors);
+    return framebuffer_make_around(render->gl, &both, &lines, &render->picture->tools.lines) &&
+           framebuffer_make_around(render->gl, &alone, &veil, &render->picture->tools.colors);
 }
 
-bool pass_tools_make(Render *render)
+static bool pass_tools_make(Render *render)
 {
     const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
     const ProgramText text = {.vertex = {head, render_text_tools_vertex},
                               .fragment = {head, render_text_tools_fragment}};
-    return make_targets(render) && material_make(render->store, NULL, &text, &render->picture.tools.material) &&
+    return make_targets(render) && material_make(render->store, NULL, &text, &render->picture->tools.material) &&
            pass_tools_change(render) && volume_shown_make(render);
 }
 
-void pass_tools_draw(Render *render)
+static void pass_tools_draw(Render *render)
 {
     static const float none[4];
     const GlContext *gl = render->gl;
-    surface_draw_begin(render, &render->picture.tools.lines, GL_GREATER);
+    surface_draw_begin(render, &render->picture->tools.lines, GL_GREATER);
     gl->ClearBufferfv(GL_COLOR, 1, none);
-    material_use(&render->picture.tools.material);
-    gl->BindVertexArray(render->picture.tools.array);
-    gl->DrawArrays(GL_LINES, 0, render->picture.tools.count);
+    material_use(&render->picture->tools.material);
+    gl->BindVertexArray(render->picture->tools.array);
+    gl->DrawArrays(GL_LINES, 0, render->picture->tools.count);
     gl->BindVertexArray(0);
     volume_shown_draw(render);
     surface_draw_end(render);
@@ -122,23 +122,46 @@ void pass_tools_draw(Render *render)
 
 bool pass_tools_make_veil(Render *render, const LightingText *text)
 {
-    return !pass_tools_are_there(render) || lighting_make(render, text, &render->picture.tools.veil);
+    return !pass_tools_are_there(render) || lighting_make(render, text, &render->picture->tools.veil);
 }
 
 void pass_tools_draw_veil(Render *render)
 {
     if (pass_tools_are_there(render))
-        screen_pass_run(&render->picture.tools.veil, &render->picture.tools.colors, &render->screen);
+        screen_pass_run(&render->picture->tools.veil, &render->picture->tools.colors, &render->screen);
 }
 
-void pass_tools_delete(Render *render)
+static void pass_tools_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    material_delete(&render->picture.tools.material);
-    screen_pass_delete(&render->picture.tools.veil);
-    framebuffer_delete(gl, &render->picture.tools.lines);
-    framebuffer_delete(gl, &render->picture.tools.colors);
-    gl->DeleteVertexArrays(1, &render->picture.tools.array); /* GL ignores the name 0 */
-    gl->DeleteBuffers(1, &render->picture.tools.buffer);
-    render->picture.tools = (FrameTools){0};
+    material_delete(&render->picture->tools.material);
+    screen_pass_delete(&render->picture->tools.veil);
+    framebuffer_delete(gl, &render->picture->tools.lines);
+    framebuffer_delete(gl, &render->picture->tools.colors);
+    gl->DeleteVertexArrays(1, &render->picture->tools.array); /* GL ignores the name 0 */
+    gl->DeleteBuffers(1, &render->picture->tools.buffer);
+    render->picture->tools = (FrameTools){0};
 }
+
+static void pass_tools_place_all(Render *render)
+{
+    pass_tools_place(render);
+    volume_shown_place(render);
+}
+
+static bool pass_tools_changed(Render *render, unsigned what)
+{
+    volume_shown_place(render);
+    return !(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render);
+}
+
+const FramePass pass_tools = {
+    .plan = {"tools", .reads = FRAME_BIT(shadow), .fills = FRAME_BIT(tools), .changes = FRAME_BIT(depth) | FRAME_BIT(light)},
+    .when = "tools are asked for, or a view of shadow volumes",
+    .needed = pass_tools_needed,
+    .make = pass_tools_make,
+    .draw = pass_tools_draw,
+    .place = pass_tools_place_all,
+    .changed = pass_tools_changed,
+    .forget = pass_tools_delete,
+};

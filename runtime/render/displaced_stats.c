@@ -1,11 +1,13 @@
+#include "runtime/indirect/indirect_state.h"
 #include "runtime/render/displaced_stats.h"
 #include "runtime/displace/displaced_traced.h"
 #include "runtime/scene/scene_displacement.h"
+#include "runtime/shadow/shadow_state.h"
 
 /* "voxels, edges": what sees triangles where the picture's surface is traced. */
 static void put_grids(Text *out, const Render *render)
 {
-    const ShadowViews *views = &render->shadows.views;
+    const ShadowViews *views = &render->shadows->views;
     bool hybrid = false, traced_maps = false, transparent = false;
     for (int i = 0; render->targets.plan.there >> FRAME_TARGET_shadow & 1 && i < views->count; i++) {
         hybrid |= views->views[i].hybrid;
@@ -17,7 +19,7 @@ static void put_grids(Text *out, const Render *render)
     const struct {
         bool there;
         const char *name;
-    } grids[] = {{render->voxels.map != 0, "voxels"},
+    } grids[] = {{render->voxels->map != 0, "voxels"},
                  {render->targets.plan.there >> FRAME_TARGET_edge & 1, "edges"},
                  {hybrid, "hybrid shadows"},
                  {traced_maps && render->scene->displaced_by == WORD_Displacing_parallax, "shadow maps"},

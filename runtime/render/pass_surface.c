@@ -6,12 +6,12 @@
 #include "runtime/shadow/exact.h"
 #include "runtime/shadow/shadow.h"
 
-bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
-bool pass_plane_needed(const Render *render)
+static bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
+static bool pass_plane_needed(const Render *render)
 {
     return render->cache.opaque_plane_count > 0 && surface_draw_is_shown(render);
 }
-bool pass_sky_needed(const Render *render) { return render->cache.has_sky && surface_draw_is_shown(render); }
+static bool pass_sky_needed(const Render *render) { return render->cache.has_sky && surface_draw_is_shown(render); }
 
 static void clear(const GlContext *gl, const Framebuffer *framebuffer)
 {
@@ -41,9 +41,9 @@ static void draw_traced(Render *render, const Framebuffer *framebuffer)
 }
 
 /* Numbers of triangles stay where they are until something moves. */
-void pass_surface_draw(Render *render)
+static void pass_surface_draw(Render *render)
 {
-    const bool numbers = facet_lights_seen(render) && !render->exact.seen;
+    const bool numbers = facet_lights_seen(render) && !render->exact->seen;
     const Framebuffer *framebuffer = &render->targets.draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
     surface_draw_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
@@ -52,10 +52,10 @@ void pass_surface_draw(Render *render)
         draw_traced(render, framebuffer);
     surface_draw_objects(render, false);
     surface_draw_end(render);
-    render->exact.seen |= numbers;
+    render->exact->seen |= numbers;
 }
 
-void pass_plane_draw(Render *render)
+static void pass_plane_draw(Render *render)
 {
     surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_surface], GL_GREATER);
     surface_draw_planes(render, false);
@@ -63,7 +63,7 @@ void pass_plane_draw(Render *render)
 }
 
 /* Every depth of the triangle is 0, whatever clip space it comes from. */
-void pass_sky_draw(Render *render)
+static void pass_sky_draw(Render *render)
 {
     const GlContext *gl = render->gl;
     surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_sky], GL_EQUAL);
@@ -73,3 +73,31 @@ void pass_sky_draw(Render *render)
     gl->DepthRange(0, 1);
     surface_draw_end(render);
 }
+
+/* Without exact shadows or silhouettes nothing fills the target seen; where nothing is traced, nothing fills traced. */
+static void pass_surface_request(const Render *render, FramePlanPass *row)
+{
+    row->fills &= ~(facet_lights_seen(render) ? 0 : FRAME_BIT(seen)) & ~(render->cache.tracing ? 0 : FRAME_BIT(traced));
+}
+
+const FramePass pass_surface = {
+    .plan = {"surface", .fills = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(seen) | FRAME_BIT(traced)},
+    .when = "always: what is not drawn is clear",
+    .needed = pass_surface_needed,
+    .request = pass_surface_request,
+    .draw = pass_surface_draw,
+};
+
+const FramePass pass_plane = {
+    .plan = {"plane", .changes = FRAME_BIT(depth) | FRAME_BIT(gbuffer)},
+    .when = "there is an infinite plane",
+    .needed = pass_plane_needed,
+    .draw = pass_plane_draw,
+};
+
+const FramePass pass_sky = {
+    .plan = {"sky", .reads = FRAME_BIT(depth), .changes = FRAME_BIT(light)},
+    .when = "the scene has a sky",
+    .needed = pass_sky_needed,
+    .draw = pass_sky_draw,
+};

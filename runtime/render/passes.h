@@ -1,7 +1,7 @@
 /* The passes of a frame, in their order; what makes, counts and draws it; the passes that rasterise surfaces. */
 #ifndef MATC_RENDER_PASSES_H
 #define MATC_RENDER_PASSES_H
-#include "runtime/frame/frame.h"
+#include "runtime/frame/frame_pass.h"
 
 /* Sets what was set before in a scene that is made again; forgets it. render_param.c */
 void render_param_again(Render *render);
@@ -12,18 +12,8 @@ void render_param_forget(Render *render);
 
 Slot render_find_slot(const char *name); /* SLOT_COUNT: there is none */
 
-/* A pass, as a row: frame.c has the list. */
-typedef struct {
-    FramePlanPass plan;
-    bool (*needed)(const Render *render); /* there is something to do */
-    bool (*make)(Render *render);         /* its programs; NULL: the cache has them */
-    void (*draw)(Render *render);
-    const char *when; /* it is needed, in words */
-    /* How much there is to do, where that is counted, and counted again when the scene has changed; or NULL. */
-    bool (*count)(Render *render, FrameCount step);
-} FramePass;
-
-extern const FramePass frame_passes[];
+/* The passes in the order of a frame. */
+const FramePass *frame_pass(int pass);
 int frame_pass_count(void);
 /* The same, and in buffers of far lights and of sheets: all memory there is, but for lists. frame_forms.c */
 int frame_all_bytes(const Render *render);
@@ -37,19 +27,17 @@ bool frame_make(Render *render);
 /* Counts what there is to do; the scene has changed. */
 bool frame_count(Render *render);
 void frame_draw(Render *render);
-/* Brings up to date what depends on that (a sum of RenderChange), but for the cache. */
-bool frame_change(Render *render, unsigned what);
-void frame_delete(Render *render);
+/* Brings the passes up to date, once the cache is: a sum of FrameChange; objects that have moved. */
+bool frame_changed(Render *render, unsigned what);
+bool frame_objects_moved(Render *render, int first, int count);
+/* Memory ran out: a pass will take less of it when all is made again. */
+bool frame_fall_back(Render *render);
+/* Frees what was made for the scene. */
+void frame_clear(Render *render);
 /* Why a pass does not run; NULL: it does. */
 const char *frame_reason(const Render *render, const FramePlanRequest *request, int pass);
 /* What the plan was asked for. */
 void frame_request(const Render *render, FramePlanRows *made);
 
-/* The passes' own functions. */
-bool pass_surface_needed(const Render *render);
-void pass_surface_draw(Render *render);
-bool pass_plane_needed(const Render *render);
-void pass_plane_draw(Render *render);
-bool pass_sky_needed(const Render *render);
-void pass_sky_draw(Render *render);
+extern const FramePass pass_surface, pass_plane, pass_sky;
 #endif

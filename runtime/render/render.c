@@ -8,6 +8,7 @@
 #include "runtime/picture/picture.h"
 #include "runtime/render/frame_memory.h"
 #include "runtime/render/passes.h"
+#include "runtime/render/render_state.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_origin.h"
 #include "runtime/shadow/exact.h"
@@ -34,6 +35,22 @@ static bool is_target(const char *view)
            indirect_view_lanes(view);
 }
 
+static Render *compose(RenderState *state)
+{
+    Render *render = &state->render;
+    render->light = &state->light;
+    render->shadows = &state->shadows;
+    render->exact = &state->exact;
+    render->volumes = &state->volumes;
+    render->voxels = &state->voxels;
+    render->radiance = &state->radiance;
+    render->indirect = &state->indirect;
+    render->positions = &state->positions;
+    render->picture = &state->picture;
+    render->glass = &state->glass;
+    return render;
+}
+
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
     if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
@@ -47,9 +64,10 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
         return NULL;
     if (options->samples < 0 || options->samples > RENDER_SAMPLES_MOST)
         return gl_fail(gl, "samples are 1 to %d, not %d", RENDER_SAMPLES_MOST, options->samples), NULL;
-    Render *render = calloc(1, sizeof *render);
-    if (!render)
+    RenderState *state = calloc(1, sizeof *state);
+    if (!state)
         return gl_fail(gl, "out of memory"), NULL;
+    Render *render = compose(state);
     render->gl = gl;
     render->options = *options;
     render->look = volume_view_find(options->view);
@@ -76,7 +94,7 @@ static void forget_scene(Render *render)
     if (render->has_reader)
         reader_delete(&render->reader);
     render->has_reader = false;
-    frame_delete(render);
+    frame_clear(render);
     cache_delete(render->gl, &render->cache);
     set_free(&render->set);
     render->scene = NULL;
@@ -91,8 +109,9 @@ void render_close(Render *render)
         gl->UseProgram(0);
         gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
         forget_scene(render);
-        material_delete(&render->shadows.solid);
-        exact_cover_close(&render->exact.cover);
+        frame_retired_delete(render);
+        material_delete(&render->shadows->solid);
+        exact_cover_close(&render->exact->cover);
     }
     if (render->has_screen)
         screen_delete(gl, &render->screen);
@@ -206,24 +225,12 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
            pass_exact_make(render) && frame_make(render) && make_reader(render);
 }
 
-/* Where lists would be too long: of pixels, peeling; of shadow maps, parts. False: that is not why nothing was made. */
-static bool fall_back(Render *render)
-{
-    if (transparency_falls_back(render))
-        render->transparency = TRANSPARENCY_peeling;
-    else if (shadow_parts_fall_back(render))
-        render->parted = true;
-    else
-        return false;
-    return true;
-}
-
 static bool make_next(Render *render, const Scene *scene, Cache *before)
 {
     render->transparency = transparency_first(render);
     render->parted = false;
     while (!make_scene(render, scene, before)) {
-        const bool again = fall_back(render);
+        const bool again = frame_fall_back(render);
         forget_scene(render);
         if (!again)
             return false;
@@ -235,19 +242,13 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
 static bool make_again(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
-    ScreenPass passes[] = {render->light.pass,       render->light.far.groups, render->light.far.near,
-                           render->light.far.gather, render->picture.tone,     render->glass.blend,
-                           render->glass.peel};
     render->cache = (Cache){0};
-    render->light.pass = render->light.far.groups = render->light.far.near = render->light.far.gather =
-        render->picture.tone = render->glass.blend = render->glass.peel = (ScreenPass){0};
     forget_scene(render);
     const bool done = make_next(render, scene, &before);
     cache_delete(render->gl, &before);
-    for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
-        screen_pass_delete(&passes[i]);
     if (!done)
         forget_scene(render);
+    frame_retired_delete(render);
     return done;
 }
 
@@ -279,10 +280,6 @@ bool render_changed(Render *render, unsigned what)
         return render_changed_meshes(render);
     if (what & RENDER_LIGHTS && !render_lights_kept(render))
         return render_changed_meshes(render);
-    if (what & RENDER_TIME) { /* cut-outs may be others */
-        render->glass.uncounted = true, render->shadows.drawn = false;
-        pass_voxels_forget_time(render);
-    }
     if (what & (RENDER_CAMERA | RENDER_TIME) || (what & RENDER_LIGHTS && cache_mesh_by_lights(&render->cache))) {
         look(render);
         const CacheSource source = frame_source(render);
@@ -290,15 +287,11 @@ bool render_changed(Render *render, unsigned what)
             return false;
         if ((render->cache.displaced_anew && source.triangles) || !frame_memory_fits(render))
             return render_changed_meshes(render);
-        if (render->cache.displaced_anew) /* and casts other shadows */
-            render->cache.displaced_anew = render->shadows.drawn = false;
+        what |= render->cache.displaced_anew ? FRAME_SHAPES : 0;
+        render->cache.displaced_anew = false;
     }
-    render->glass.uncounted |=
-        (what & RENDER_CAMERA) != 0 || (what & RENDER_LIGHTS && pass_tone_count(render, FRAME_COUNT_wanted));
-    const bool fitted =
-        what & RENDER_CAMERA && (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
-    return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what) &&
-           frame_change(render, what) && gl_check(render->gl, "changing a scene");
+    render->uncounted |= (what & (RENDER_CAMERA | RENDER_TIME)) != 0; /* cut-outs may be others, too */
+    return frame_changed(render, what) && gl_check(render->gl, "changing a scene");
 }
 
 bool render_changed_objects(Render *render, int first, int count)
@@ -310,16 +303,9 @@ bool render_changed_objects(Render *render, int first, int count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
     if (origin_moved(render))
         return render_changed_meshes(render);
-    render->glass.uncounted = true;
-    if (!cache_move(render->gl, &source, &render->cache, first, count) || !shadow_change(render, true) ||
-        !pass_voxels_change(render))
-        return false;
-    pass_cubes_place(render);
-    pass_volume_change(render); /* maps are fitted to what has moved */
-    pass_rays_place(render);
-    indirect_doubt(render, INDIRECT_DOUBT_light);
-    indirect_motion_add(render, first, count);
-    return pass_exact_move(render, first, count) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
+    render->uncounted = true;
+    return cache_move(render->gl, &source, &render->cache, first, count) && frame_objects_moved(render, first, count) &&
+           gl_check(render->gl, "moving objects");
 }
 
 bool render_again(Render *render, const Scene *scene)
@@ -351,16 +337,15 @@ bool render_changed_meshes(Render *render) { return has_scene(render) && render_
 /* What changed may have more transparent fragments, or layers. Where lists would be too long, the scene is made again. */
 static bool recount(Render *render)
 {
-    render->glass.uncounted = false;
-    return (frame_count(render) && pass_shadow_count(render)) ||
-           ((transparency_falls_back(render) || shadow_parts_fall_back(render)) && render_changed_meshes(render));
+    render->uncounted = false;
+    return frame_count(render) || (frame_fall_back(render) && render_changed_meshes(render));
 }
 
 bool render_frame(Render *render)
 {
     if (!render->scene)
         return gl_fail(render->gl, "there is no scene to draw");
-    if (render->glass.uncounted && !recount(render))
+    if (render->uncounted && !recount(render))
         return false;
     frame_draw(render);
     return true;

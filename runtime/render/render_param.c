@@ -1,4 +1,5 @@
 /* Params of materials: set in what is drawn with, and kept, so that they are set again where that is made again. */
+#include "runtime/glass/glass_state.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"
@@ -50,8 +51,8 @@ bool render_param(Render *render, int material, const char *name, const float *l
 {
     if (!render->scene)
         return gl_fail(render->gl, "there is no scene to change");
-    render->glass.uncounted = true; /* a cut-out may be another */
-    render->shadows.drawn = false;
+    render->uncounted = true; /* a cut-out may be another */
+    render->shadows->drawn = false;
     pass_voxels_forget(render);
     const MaterialValue value = {name, count, lanes};
     if (!set(render, material, &value))

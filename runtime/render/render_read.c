@@ -3,6 +3,7 @@
 #include "runtime/indirect/voxels.h"
 #include "runtime/render/passes.h"
 #include "runtime/render/render.h"
+#include "runtime/shadow/shadow_state.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -111,15 +112,15 @@ bool render_read(Render *render, float *rgba)
     return render->samples > 1 || render->margin ? read_mean(render, rgba) : read_samples(render, rgba);
 }
 
-int render_map_count(const Render *render) { return render->shadows.maps ? render->shadows.views.count : 0; }
+int render_map_count(const Render *render) { return render->shadows->maps ? render->shadows->views.count : 0; }
 int render_map_size(const Render *render) { return render->scene->shadow_size; }
 
 bool render_read_map(Render *render, int map, float *depths)
 {
     GlContext *gl = render->gl;
     const int size = render_map_size(render);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, render->shadows.framebuffer);
-    gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows.maps, 0, map);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->shadows->framebuffer);
+    gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows->maps, 0, map);
     gl->ReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
     return gl_check(gl, "reading a shadow map");
 }

@@ -3,10 +3,12 @@
 #include "compiler/base/memory.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/gl/clock.h"
+#include "runtime/glass/glass_state.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/voxels.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/displaced_stats.h"
+#include "runtime/glass/glass.h"
 #include "runtime/render/passes.h"
 #include "runtime/render/render.h"
 #include "runtime/shadow/exact.h"
@@ -52,7 +54,7 @@ static void put_passes(Text *out, const Render *render, const RenderPassTime *ti
         else if (times)
             text_rounded(out, 1e3 * times[i].seconds, 3), text_char(out, '\n');
         else
-            text_format(out, "%s\n", frame_passes[i].when);
+            text_format(out, "%s\n", frame_pass(i)->when);
     }
 }
 
@@ -67,7 +69,7 @@ static void put_texel(Text *out, int map, double texel)
 /* Lists in parts are drawn again for each pass that lights. */
 static void put_glass(Text *out, const Render *render)
 {
-    const ShadowGlass *glass = &render->shadows.glass;
+    const ShadowGlass *glass = &render->shadows->glass;
     unsigned long fragments = 0;
     for (int i = 0; i < glass->part_count; i++)
         fragments += glass->parts[i].fragments;
@@ -80,7 +82,7 @@ static void put_glass(Text *out, const Render *render)
 
 static void put_silhouettes(Text *out, const Render *render)
 {
-    const Silhouettes *silhouettes = &render->shadows.silhouettes;
+    const Silhouettes *silhouettes = &render->shadows->silhouettes;
     const int size = render->scene->shadow_size, count = silhouette_layers(render);
     text_format(
         out,
@@ -91,22 +93,22 @@ static void put_silhouettes(Text *out, const Render *render)
 
 static void put_maps(Text *out, const Render *render)
 {
-    const int size = render->scene->shadow_size, count = render->shadows.views.count;
+    const int size = render->scene->shadow_size, count = render->shadows->views.count;
     text_format(out, "shadow    %d maps of %d x %d, DEPTH32F, %ld bytes\n", count, size, size,
                 (long)count * size * size * (long)sizeof(float));
     for (int i = 0; i < count; i++)
-        if (render->shadows.views.views[i].near <= 0)
-            put_texel(out, i, render->shadows.views.views[i].texel);
+        if (render->shadows->views.views[i].near <= 0)
+            put_texel(out, i, render->shadows->views.views[i].texel);
     volume_data_put(out, render);
     if (silhouette_layers(render))
         put_silhouettes(out, render);
-    if (render->shadows.glass.buffer)
+    if (render->shadows->glass.buffer)
         put_glass(out, render);
 }
 
 static void put_exact(Text *out, const Render *render)
 {
-    const ExactShadows *exact = &render->exact;
+    const ExactShadows *exact = render->exact;
     const int lack = exact_lists_lack(&render->cache);
     text_format(out, "exact     %d triangles, %lu bytes\n", exact->triangles.count,
                 (unsigned long)exact->triangles.count * sizeof(ExactCorners));
@@ -207,7 +209,7 @@ static void put_memory(Text *out, const Render *render)
         for (int t = 0; frame_format(render, target, t); t++)
             text_format(&formats, "%s%s", t ? " " : "", frame_format(render, target, t));
         if (target == FRAME_TARGET_lists)
-            transparency_put_lists(out, render);
+            glass_put_lists(out, render);
         else if (target == FRAME_TARGET_far)
             light_far_put(out, render);
         else if (render->targets.plan.memory[i][0] < 0)
@@ -227,11 +229,11 @@ static void put_memory(Text *out, const Render *render)
         put_maps(out, render);
     if (indirect_is(render))
         indirect_planes_put(out, render);
-    if (render->voxels.map)
+    if (render->voxels->map)
         voxels_put(out, render);
     put_soft(out, render);
     put_unshadowed(out, render);
-    if (render->exact.corners)
+    if (render->exact->corners)
         put_exact(out, render);
 }
 
@@ -285,7 +287,7 @@ static double time_pass(Render *render, int pass)
     const bool clock = gl_clock_is(render->gl);
     const GLuint query = clock ? gl_clock_start(render->gl) : 0;
     const double start = session_now();
-    frame_passes[pass].draw(render);
+    frame_pass(pass)->draw(render);
     if (clock)
         return gl_clock_stop(render->gl, query);
     render->gl->Finish();
@@ -295,10 +297,10 @@ static double time_pass(Render *render, int pass)
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 {
     render->gl->Finish();
-    render->shadows.drawn = render->exact.seen = render->voxels.drawn = render->radiance.drawn =
+    render->shadows->drawn = render->exact->seen = render->voxels->drawn = render->radiance->drawn =
         false; /* to be timed with the others */
     for (int i = 0; i < frame_pass_count(); i++) {
-        times[i] = (RenderPassTime){frame_passes[i].plan.name, 0};
+        times[i] = (RenderPassTime){frame_pass(i)->plan.name, 0};
         if (render->targets.plan.runs >> i & 1)
             times[i].seconds = time_pass(render, i);
     }
@@ -309,7 +311,7 @@ int render_pixel_bytes(const Render *render) { return frame_all_bytes(render); }
 
 int render_fragment_bytes(const Render *render)
 {
-    return render->glass.lists.buffer ? (int)sizeof(GLuint) * transparency_stride(&render->set) : 0;
+    return render->glass->lists.buffer ? (int)sizeof(GLuint) * transparency_stride(&render->set) : 0;
 }
 
 /* Lists are made once more, as when a light moves. */
@@ -332,7 +334,7 @@ char *render_stats(Render *render)
     put_passes(&out, render, times);
     put_memory(&out, render);
     put_tiles(&out, render);
-    if (render->exact.corners)
+    if (render->exact->corners)
         put_exact_time(&out, render);
     text_format(&out, "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
                 render_width(render), render_height(render), render->scene->object_count, render->cache.triangles,

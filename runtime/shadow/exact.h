@@ -2,6 +2,7 @@
  * (pass_exact.c). */
 #ifndef MATC_SHADOW_EXACT_H
 #define MATC_SHADOW_EXACT_H
+#include "runtime/shadow/shadow_state.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/frame/render_options.h"
 

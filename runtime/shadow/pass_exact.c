@@ -19,7 +19,7 @@ static size_t corner_bytes(int count) { return (size_t)count * sizeof(ExactCorne
 static bool write_corners(Render *render, const int range[2])
 {
     const GlContext *gl = render->gl;
-    ExactShadows *exact = &render->exact;
+    ExactShadows *exact = render->exact;
     const ExactTriangles *triangles = &exact->triangles;
     const ExactObject *first = &triangles->objects[range[0]], *last = &triangles->objects[range[1] - 1];
     const int count = last->first + last->count - first->first;
@@ -40,7 +40,7 @@ static bool write_corners(Render *render, const int range[2])
 static bool measure(Render *render)
 {
     const size_t most = transparency_most_bytes(render);
-    ExactTriangles *triangles = &render->exact.triangles;
+    ExactTriangles *triangles = &render->exact->triangles;
     exact_triangles_free(triangles);
     if (!exact_triangles_make(render->scene, &render->cache, triangles))
         return gl_fail(render->gl, "out of memory");
@@ -53,7 +53,7 @@ static bool measure(Render *render)
 static bool write_firsts(Render *render)
 {
     const GlContext *gl = render->gl;
-    const ExactTriangles *triangles = &render->exact.triangles;
+    const ExactTriangles *triangles = &render->exact->triangles;
     const size_t bytes = (size_t)triangles->opaque_count * sizeof(GLuint);
     GLuint *firsts = malloc(bytes + 1);
     if (!firsts)
@@ -63,7 +63,7 @@ static bool write_firsts(Render *render)
         if (!render->cache.instances)
             material_set_number(&render->cache.kinds[render->cache.places[i].kind].material, "exact_place", (float)i);
     }
-    gl->BindBuffer(GL_ARRAY_BUFFER, render->exact.firsts);
+    gl->BindBuffer(GL_ARRAY_BUFFER, render->exact->firsts);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, firsts, GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     free(firsts);
@@ -73,12 +73,12 @@ static bool write_firsts(Render *render)
 static bool write_triangles(Render *render)
 {
     return measure(render) && write_firsts(render) &&
-           write_corners(render, (int[]){0, render->exact.triangles.object_count});
+           write_corners(render, (int[]){0, render->exact->triangles.object_count});
 }
 
 bool pass_exact_list(Render *render)
 {
-    ExactShadows *exact = &render->exact;
+    ExactShadows *exact = render->exact;
     return exact_cover_make(&exact->cover, render->scene, &exact->triangles, exact->corners);
 }
 
@@ -96,13 +96,13 @@ static bool has_target(const Render *render)
 static bool open_cover(Render *render)
 {
     const size_t most = transparency_most_bytes(render) / sizeof(GLuint);
-    return render->exact.cover.cover.store || exact_cover_open(render->store, most, &render->exact.cover);
+    return render->exact->cover.cover.store || exact_cover_open(render->store, most, &render->exact->cover);
 }
 
 bool pass_exact_make(Render *render)
 {
     GlContext *gl = render->gl;
-    ExactShadows *exact = &render->exact;
+    ExactShadows *exact = render->exact;
     if (!exact_lights_cast(render))
         return true;
     if (!transparency_has_lists(gl))
@@ -121,32 +121,21 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     const SceneCamera *camera = &render->scene->camera;
     const double *const axes[3] = {camera->right, camera->up, camera->back};
     for (int i = 0; i < 4; i++) {
-        float lanes[4] = {0, 0, 0, i == 3 ? (float)render->exact.triangles.reach : 0};
+        float lanes[4] = {0, 0, 0, i == 3 ? (float)render->exact->triangles.reach : 0};
         for (int k = 0; k < 3; k++)
-            lanes[k] = (float)(i < 3 ? axes[i][k] : camera->position[k] - render->exact.triangles.origin[k]);
+            lanes[k] = (float)(i < 3 ? axes[i][k] : camera->position[k] - render->exact->triangles.origin[k]);
         material_set(&pass->material, &(MaterialValue){names[i], 4, lanes});
     }
 }
 
-static void set_all_numbers(Render *render)
-{
-    ScreenPass *passes[] = {&render->light.pass,       &render->light.far.groups, &render->light.far.near,
-                            &render->light.far.gather, &render->glass.blend,      &render->glass.peel};
-    for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
-        if (passes[i]->material.store)
-            set_numbers(render, passes[i]);
-}
-
 bool pass_exact_change(Render *render, unsigned what)
 {
-    const bool there = render->exact.corners, needed = exact_lights_cast(render), lights = what & RENDER_LIGHTS;
-    render->exact.seen &= !(what & RENDER_CAMERA);
-    if (!there && lights && needed && render->light.pass.material.store)
+    const bool there = render->exact->corners, needed = exact_lights_cast(render), lights = what & RENDER_LIGHTS;
+    render->exact->seen &= !(what & RENDER_CAMERA);
+    if (!there && lights && needed && frame_has(render, FRAME_TARGET_light))
         return gl_fail(render->gl, "shadows are exact where none were otherwise: this is another scene");
     if (there && !needed)
         return gl_fail(render->gl, "no shadows are exact where some were: this is another scene");
-    if (there)
-        set_all_numbers(render);
     return !there || !lights || pass_exact_list(render);
 }
 
@@ -168,7 +157,7 @@ static bool is_reordered(const Render *render)
     bool is = false;
     for (int i = 0, next = 0; i < render->cache.place_count; i++)
         if (exact_triangles_have(&render->cache.places[i]))
-            is |= render->exact.triangles.objects[next++].object != render->cache.places[i].object;
+            is |= render->exact->triangles.objects[next++].object != render->cache.places[i].object;
     return is;
 }
 
@@ -176,7 +165,7 @@ static bool is_reordered(const Render *render)
 static bool move(Render *render, int range[2])
 {
     double before[3];
-    ExactTriangles *triangles = &render->exact.triangles;
+    ExactTriangles *triangles = &render->exact->triangles;
     memcpy(before, triangles->origin, sizeof before);
     if (!exact_triangles_move(render->scene, &render->cache, range, triangles))
         return gl_fail(render->gl, "out of memory");
@@ -188,31 +177,30 @@ static bool move(Render *render, int range[2])
 bool pass_exact_move(Render *render, int first, int count)
 {
     int range[2];
-    if (!render->exact.corners) {
-        render->exact.seen = false; /* facets */
+    if (!render->exact->corners) {
+        render->exact->seen = false; /* facets */
         return true;
     }
-    find_range(&render->exact.triangles, (int[]){first, first + count}, range);
+    find_range(&render->exact->triangles, (int[]){first, first + count}, range);
     const bool again = is_reordered(render);
     if (!again && range[0] >= range[1])
         return true;
-    render->exact.seen = false;
+    render->exact->seen = false;
     if (!(again ? write_triangles(render) : move(render, range)))
         return false;
-    set_all_numbers(render);
     return pass_exact_list(render);
 }
 
 void pass_exact_begin(const Render *render)
 {
-    if (render->exact.corners)
-        render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXACT_NUMBER_FIRSTS, render->exact.firsts);
+    if (render->exact->corners)
+        render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXACT_NUMBER_FIRSTS, render->exact->firsts);
 }
 
 void pass_exact_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    ExactShadows *exact = &render->exact;
+    ExactShadows *exact = render->exact;
     gl->DeleteBuffers(1, &exact->corners); /* GL ignores the name 0 */
     gl->DeleteBuffers(1, &exact->firsts);
     exact_cover_empty(&exact->cover);
@@ -239,9 +227,9 @@ void pass_exact_set(const Render *render, int unit, ScreenPass *pass)
 void pass_exact_bind(const Render *render, int unit)
 {
     const GlContext *gl = render->gl;
-    if (!render->exact.corners)
+    if (!render->exact->corners)
         return;
     texture_bind(gl, frame_texture(render, FRAME_TARGET_seen, 0), unit);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRIANGLES_BINDING, render->exact.corners);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LISTS_BINDING, render->exact.cover.lists);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRIANGLES_BINDING, render->exact->corners);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LISTS_BINDING, render->exact->cover.lists);
 }

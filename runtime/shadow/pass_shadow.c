@@ -1,6 +1,8 @@
 /* The pass shadow: depth as lights see it. Maps stay until the scene changes: a further frame draws none. shadow.glsl says what becomes of
  * them. */
 #include "runtime/frame/frame.h"
+#include "runtime/scene/scene_area.h"
+#include "runtime/shadow/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/silhouette.h"
 #include "runtime/shadow/volume.h"
@@ -9,13 +11,11 @@ extern const char render_text_shadow_depth[];
 
 enum { SHADOW_MAPS_MIB = 4096 };
 
-bool pass_shadow_needed(const Render *render) { return render->shadows.views.count > 0; }
-
 /* Some drivers give memory that they do not have, and end the program when it is written. */
 static bool check_maps(const Render *render)
 {
     GlContext *gl = render->gl;
-    const int size = render->scene->shadow_size, count = render->shadows.views.count;
+    const int size = render->scene->shadow_size, count = render->shadows->views.count;
     const int64_t mib = (int64_t)count * size * size * (int64_t)sizeof(float) >> 20;
     GLint most = 0;
     gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
@@ -29,7 +29,7 @@ static bool check_maps(const Render *render)
 static bool make_maps(Render *render)
 {
     GlContext *gl = render->gl;
-    ShadowMaps *maps = &render->shadows;
+    ShadowMaps *maps = render->shadows;
     const int size = render->scene->shadow_size, count = maps->views.count;
     if (!check_maps(render))
         return false;
@@ -46,7 +46,7 @@ static bool make_maps(Render *render)
 
 static bool make_solid(Render *render)
 {
-    ShadowMaps *maps = &render->shadows;
+    ShadowMaps *maps = render->shadows;
     const bool instances = render->cache.instances, modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
     const ProgramText text = {.vertex = {head, instances ? "#define INSTANCES\n" : "", render_text_shadow_depth},
@@ -54,37 +54,38 @@ static bool make_solid(Render *render)
     return maps->solid.store || material_make(render->store, NULL, &text, &maps->solid);
 }
 
-bool pass_shadow_make(Render *render)
+/* Draws the maps again, and finds room for their lists. */
+static bool pass_shadow_count(Render *render)
+{
+    if (!shadow_glass_needed(render) || !render->shadows->maps || render->shadows->drawn)
+        return true;
+    shadow_draw_depths(render);
+    volume_data_write(render);
+    render->shadows->drawn = shadow_parts_count(render);
+    return render->shadows->drawn;
+}
+
+static bool pass_shadow_make(Render *render)
 {
     return make_maps(render) && make_solid(render) && silhouette_make(render) && volume_blur_make(render) &&
            volume_data_make(render) && shadow_parts_make(render) && pass_shadow_count(render);
 }
 
-void pass_shadow_draw(Render *render)
+static void pass_shadow_draw(Render *render)
 {
-    if (render->shadows.drawn)
+    if (render->shadows->drawn)
         return;
     shadow_draw_depths(render);
     volume_data_write(render);
     if (shadow_glass_needed(render) && !render->parted)
-        shadow_draw_lists(render, render->shadows.glass.parts);
-    render->shadows.drawn = true;
+        shadow_draw_lists(render, render->shadows->glass.parts);
+    render->shadows->drawn = true;
 }
 
-bool pass_shadow_count(Render *render)
-{
-    if (!shadow_glass_needed(render) || !render->shadows.maps || render->shadows.drawn)
-        return true;
-    shadow_draw_depths(render);
-    volume_data_write(render);
-    render->shadows.drawn = shadow_parts_count(render);
-    return render->shadows.drawn;
-}
-
-void pass_shadow_delete(Render *render)
+static void pass_shadow_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    ShadowMaps *maps = &render->shadows;
+    ShadowMaps *maps = render->shadows;
     gl->DeleteFramebuffers(1, &maps->framebuffer); /* GL ignores the name 0 */
     gl->DeleteTextures(1, &maps->maps);
     gl->DeleteTextures(1, &maps->table);
@@ -95,3 +96,52 @@ void pass_shadow_delete(Render *render)
     silhouette_delete(render);
     *maps = (ShadowMaps){.solid = maps->solid};
 }
+
+/* -- the row; exact shadows share its life */
+
+static void pass_shadow_place(Render *render)
+{
+    render->exact->seen = false;
+    shadow_sheet_place(render);
+}
+
+static bool pass_shadow_changed(Render *render, unsigned what)
+{
+    const bool fitted = what & RENDER_CAMERA && (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
+    if (what & (RENDER_TIME | FRAME_SHAPES)) /* cut-outs may be others */
+        render->shadows->drawn = false;
+    return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what);
+}
+
+static bool pass_shadow_moved(Render *render, int first, int count)
+{
+    return shadow_change(render, true) && pass_exact_move(render, first, count);
+}
+
+static bool pass_shadow_fall_back(Render *render)
+{
+    if (!shadow_parts_fall_back(render))
+        return false;
+    render->parted = true;
+    return true;
+}
+
+static void pass_shadow_forget(Render *render)
+{
+    pass_shadow_delete(render);
+    pass_exact_delete(render);
+}
+
+const FramePass pass_shadow = {
+    .plan = {"shadow", .fills = FRAME_BIT(shadow)},
+    .when = "a light's shadows are cast; once, then they are kept",
+    .needed = shadow_has_maps,
+    .make = pass_shadow_make,
+    .recount = pass_shadow_count,
+    .draw = pass_shadow_draw,
+    .place = pass_shadow_place,
+    .changed = pass_shadow_changed,
+    .moved = pass_shadow_moved,
+    .fall_back = pass_shadow_fall_back,
+    .forget = pass_shadow_forget,
+};

@@ -95,7 +95,7 @@ static void find_far(const Render *render, double world[4][4], double clip[4][4]
 void pass_volume_place(const Render *render, int number, Material *material)
 {
     static const char *const names[] = {"volume_x", "volume_y", "volume_z", "volume_w"};
-    const ShadowView *view = &render->shadows.views.views[number];
+    const ShadowView *view = &render->shadows->views.views[number];
     const Scene *scene = render->scene;
     const float map[4] = {(float)number, (float)scene->shadow_size, view->near <= 0, scene->shadow_stretched};
     double world[4][4], eye[4], clip[4][4], projection[16];
@@ -124,7 +124,7 @@ const char *pass_volume_head(const Render *render)
 
 static bool make_view(Render *render, int number)
 {
-    FrameVolumes *volumes = &render->volumes;
+    FrameVolumes *volumes = render->volumes;
     const char *const head = pass_volume_head(render);
     const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "", *const cells =
                                                                                       volume_cells_are(render)
@@ -138,7 +138,7 @@ static bool make_view(Render *render, int number)
     if (!material_make(render->store, NULL, &sheet, &volumes->sheets[number]))
         return false;
     pass_volume_place(render, number, &volumes->sheets[number]);
-    if (render->shadows.views.views[number].near <= 0)
+    if (render->shadows->views.views[number].near <= 0)
         return true;
     if (!material_make(render->store, NULL, &cap, &volumes->caps[number]))
         return false;
@@ -155,8 +155,8 @@ static bool make_mark(Render *render, int number)
     const ProgramText mark = {.vertex = {head, screen_text}, .fragment = {head, text}};
     float bit[4] = {0};
     bit[number / BITS] = (float)(1 << number % BITS) / 255;
-    return material_make(render->store, NULL, &mark, &render->volumes.marks[number]) &&
-           material_set(&render->volumes.marks[number], &(MaterialValue){"mark_bit", 4, bit});
+    return material_make(render->store, NULL, &mark, &render->volumes->marks[number]) &&
+           material_set(&render->volumes->marks[number], &(MaterialValue){"mark_bit", 4, bit});
 }
 
 static bool check(const Render *render)
@@ -167,10 +167,10 @@ static bool check(const Render *render)
     return render->gl->PrimitiveRestartIndex || gl_fail(render->gl, "hybrid shadows take OpenGL 3.1");
 }
 
-bool pass_volume_make(Render *render)
+static bool pass_volume_make(Render *render)
 {
-    FrameVolumes *volumes = &render->volumes;
-    const int views = render->shadows.views.count, lights = volume_lights_count(render);
+    FrameVolumes *volumes = render->volumes;
+    const int views = render->shadows->views.count, lights = volume_lights_count(render);
     if (!check(render))
         return false;
     volumes->sheets = calloc((size_t)views, sizeof *volumes->sheets);
@@ -183,19 +183,20 @@ bool pass_volume_make(Render *render)
     render->gl->GenVertexArrays(1, &volumes->array);
     bool fine = true;
     for (int i = 0; fine && i < views; i++)
-        fine = !render->shadows.views.views[i].hybrid || make_view(render, i);
+        fine = !render->shadows->views.views[i].hybrid || make_view(render, i);
     for (int i = 0; fine && i < lights; i++)
         fine = make_mark(render, i);
     return fine;
 }
 
-void pass_volume_change(Render *render)
+/* The view is another, or those of lights. */
+static void pass_volume_change(Render *render)
 {
-    for (int i = 0; i < render->volumes.view_count; i++) {
-        if (render->volumes.sheets[i].store)
-            pass_volume_place(render, i, &render->volumes.sheets[i]);
-        if (render->volumes.caps[i].store)
-            pass_volume_place(render, i, &render->volumes.caps[i]);
+    for (int i = 0; i < render->volumes->view_count; i++) {
+        if (render->volumes->sheets[i].store)
+            pass_volume_place(render, i, &render->volumes->sheets[i]);
+        if (render->volumes->caps[i].store)
+            pass_volume_place(render, i, &render->volumes->caps[i]);
     }
 }
 
@@ -204,8 +205,8 @@ void pass_volume_change(Render *render)
 static void draw_view(Render *render, int view)
 {
     const GlContext *gl = render->gl;
-    FrameVolumes *volumes = &render->volumes;
-    gl->FrontFace(render->shadows.views.views[view].mirrored ? GL_CW : GL_CCW);
+    FrameVolumes *volumes = render->volumes;
+    gl->FrontFace(render->shadows->views.views[view].mirrored ? GL_CW : GL_CCW);
     volume_data_draw(render, view, false);
     if (volumes->caps[view].store) {
         gl->BindVertexArray(volumes->array);
@@ -241,13 +242,13 @@ static void mark(Render *render, int number)
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
     gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_ONE, GL_ONE);
-    material_use(&render->volumes.marks[number]);
+    material_use(&render->volumes->marks[number]);
     screen_draw(gl, &render->screen);
     gl->BlendFunc(GL_ONE, GL_ZERO);
     gl->Disable(GL_BLEND);
 }
 
-void pass_volume_draw(Render *render)
+static void pass_volume_draw(Render *render)
 {
     const GlContext *gl = render->gl;
     int number = 0;
@@ -258,10 +259,10 @@ void pass_volume_draw(Render *render)
     gl->Enable(GL_STENCIL_TEST);
     gl->Enable(GL_DEPTH_CLAMP);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
     for (int i = 0; i < render->scene->light_count; i++)
         if (volume_lights_has(render, i)) {
-            count_faces(render, &render->shadows.views.lights[i]);
+            count_faces(render, &render->shadows->views.lights[i]);
             mark(render, number++);
         }
     gl->Disable(GL_DEPTH_CLAMP);
@@ -280,10 +281,10 @@ static void delete_all(Material *materials, int count)
     free(materials);
 }
 
-void pass_volume_delete(Render *render)
+static void pass_volume_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameVolumes *volumes = &render->volumes;
+    FrameVolumes *volumes = render->volumes;
     delete_all(volumes->sheets, volumes->view_count);
     delete_all(volumes->caps, volumes->view_count);
     delete_all(volumes->marks, volumes->light_count);
@@ -293,3 +294,29 @@ void pass_volume_delete(Render *render)
     volume_blur_delete(render);
     *volumes = (FrameVolumes){0};
 }
+
+static bool pass_volume_changed(Render *render, unsigned what)
+{
+    (void)what;
+    pass_volume_change(render);
+    return true;
+}
+
+/* Maps are fitted to what has moved. */
+static bool pass_volume_moved(Render *render, int first, int count)
+{
+    (void)first, (void)count;
+    pass_volume_change(render);
+    return true;
+}
+
+const FramePass pass_volume = {
+    .plan = {"volume", .reads = FRAME_BIT(depth) | FRAME_BIT(shadow), .fills = FRAME_BIT(mask)},
+    .when = "a light casts hybrid shadows",
+    .needed = volume_lights_cast,
+    .make = pass_volume_make,
+    .draw = pass_volume_draw,
+    .changed = pass_volume_changed,
+    .moved = pass_volume_moved,
+    .forget = pass_volume_delete,
+};

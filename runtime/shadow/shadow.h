@@ -1,9 +1,10 @@
 /* Shadows, for the passes: maps of lights, what is transparent in them, planes; and what the lighting of surfaces reads of them. */
 #ifndef MATC_SHADOW_SHADOW_H
 #define MATC_SHADOW_SHADOW_H
+#include "runtime/frame/frame_pass.h"
 #include "compiler/base/text.h"
 #include "runtime/draw/screen_pass.h"
-#include "runtime/frame/frame_shadow.h"
+#include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/render_options.h"
 
 /* Some light of the scene casts shadows, which are wanted. */
@@ -64,7 +65,7 @@ const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_D
 bool shadow_make_tables(Render *render);
 /* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. Behind its light: 1 + the layer of what
  * sheets let through of it, or 0. */
-void shadow_put_lights(const Render *render, float (*texels)[4]);
+void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS], float (*texels)[4]);
 /* SHADOW_UNITS units from `unit` on. */
 void shadow_samplers(ScreenPass *pass, int unit);
 void shadow_bind(const Render *render, int unit);
@@ -74,10 +75,7 @@ bool facet_lights_write(const Render *render);
 bool facet_lights_cast(const Render *render);
 /* These, or numbers of triangles: there is the target seen. */
 bool facet_lights_seen(const Render *render);
-bool pass_shadow_needed(const Render *render);
-bool pass_shadow_make(Render *render);
-/* The maps are drawn again, and room found for their lists. False: see the context's error. */
-bool pass_shadow_count(Render *render);
-void pass_shadow_draw(Render *render);
-void pass_shadow_delete(Render *render);
+/* Some light has a view for which a map is drawn. */
+bool shadow_has_maps(const Render *render);
+extern const FramePass pass_shadow;
 #endif

@@ -31,7 +31,7 @@ static void push(const Render *render) { render->gl->PolygonOffset(slopes_of(ren
 static void begin(const Render *render)
 {
     const GlContext *gl = render->gl;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, render->shadows.framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->shadows->framebuffer);
     gl->DrawBuffers(1, (GLenum[]){GL_NONE});
     gl->ReadBuffer(GL_NONE);
     gl->Viewport(0, 0, render->scene->shadow_size, render->scene->shadow_size);
@@ -74,7 +74,7 @@ static void cast_view(Render *render, const CacheSource *source, const Casting *
                &(CacheLight){.clip_from_world = clip,
                              .volume = &volume,
                              .mirrored = view->mirrored,
-                             .solid = &render->shadows.solid,
+                             .solid = &render->shadows->solid,
                              .number = casting->number,
                              .varying = view->transparent,
                              .traced = traced ? &casting->trace : NULL},
@@ -91,7 +91,7 @@ static void cast_soft(Render *render, const CacheSource *source, int number, boo
     for (int face = 0; face < SOFT_VIEWS_FACES; face++) {
         ShadowView view;
         int rect[4];
-        soft_views_face(&render->shadows.views.views[number], size, face, &view, rect);
+        soft_views_face(&render->shadows->views.views[number], size, face, &view, rect);
         gl->Viewport(rect[0], rect[1], rect[2], rect[3]);
         const float texel[2] = {2 / (float)rect[2], 2 / (float)rect[3]};
         const float corner[2] = {-texel[0] * (float)rect[0] - 1, -texel[1] * (float)rect[1] - 1};
@@ -104,7 +104,7 @@ static void cast_soft(Render *render, const CacheSource *source, int number, boo
 
 static void cast(Render *render, const CacheSource *source, int number, bool transparent)
 {
-    const ShadowView *view = &render->shadows.views.views[number];
+    const ShadowView *view = &render->shadows->views.views[number];
     if (view->soft)
         cast_soft(render, source, number, transparent);
     else {
@@ -116,7 +116,7 @@ static void cast(Render *render, const CacheSource *source, int number, bool tra
 
 static void use_layer(const Render *render, int number)
 {
-    render->gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows.maps, 0, number);
+    render->gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows->maps, 0, number);
 }
 
 /* Of a hybrid light: one side of what is opaque, and nothing at the border, so that the volume that is made of it is closed. */
@@ -151,16 +151,16 @@ void shadow_draw_depths(Render *render)
 {
     const CacheSource source = frame_source(render);
     begin(render);
-    for (int i = 0; i < render->shadows.views.count; i++) {
-        if (render->shadows.views.views[i].hybrid) {
+    for (int i = 0; i < render->shadows->views.count; i++) {
+        if (render->shadows->views.views[i].hybrid) {
             draw_hybrid(render, &source, i);
             continue;
         }
         use_layer(render, i);
         render->gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
-        if (render->shadows.views.views[i].silhouettes)
+        if (render->shadows->views.views[i].silhouettes)
             render->gl->PolygonOffset(-1.0f / 64, -2); /* silhouette.glsl compares with planes */
-        if (!render->shadows.views.views[i].transparent)
+        if (!render->shadows->views.views[i].transparent)
             cast(render, &source, i, false);
         push(render);
         if (!shadow_glass_needed(render))
@@ -190,7 +190,7 @@ void shadow_draw_lists(Render *render, const ShadowPart *part)
         use_layer(render, (int)i);
         cut(render->gl, part, i * size);
         render->gl->DepthFunc(
-            render->shadows.views.views[i].hybrid ? GL_ALWAYS : GL_GREATER); /* blurred, it is not where it hides */
+            render->shadows->views.views[i].hybrid ? GL_ALWAYS : GL_GREATER); /* blurred, it is not where it hides */
         cast(render, &source, (int)i, true);
     }
     shadow_glass_end(render);

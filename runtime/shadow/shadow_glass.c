@@ -14,7 +14,7 @@ bool shadow_glass_needed(const Render *render)
 ShadowPart shadow_glass_whole(const Render *render)
 {
     const GLuint size = (GLuint)render->scene->shadow_size;
-    return (ShadowPart){.columns = size, .rows = size * (GLuint)render->shadows.views.count};
+    return (ShadowPart){.columns = size, .rows = size * (GLuint)render->shadows->views.count};
 }
 
 static size_t texels_of(const ShadowPart *part) { return (size_t)part->columns * part->rows; }
@@ -27,7 +27,7 @@ size_t shadow_glass_bytes(const ShadowPart *part)
 bool shadow_glass_make(Render *render, size_t bytes)
 {
     const GlContext *gl = render->gl;
-    ShadowGlass *glass = &render->shadows.glass;
+    ShadowGlass *glass = &render->shadows->glass;
     glass->bytes = bytes > sizeof(GLuint) * HEADS ? bytes : sizeof(GLuint) * HEADS;
     if (!glass->buffer)
         gl->GenBuffers(1, &glass->buffer);
@@ -46,7 +46,7 @@ static void write_words(const GlContext *gl, GLuint first, const GLuint words[4]
 void shadow_glass_begin(const Render *render, const ShadowPart *part)
 {
     const GlContext *gl = render->gl;
-    const ShadowGlass *glass = &render->shadows.glass;
+    const ShadowGlass *glass = &render->shadows->glass;
     const GLuint size = (GLuint)render->scene->shadow_size;
     const size_t start = sizeof(GLuint) * HEADS, all = sizeof(GLuint) * texels_of(part);
     const bool counts = glass->bytes < start + all; /* it holds no list yet */
@@ -66,14 +66,14 @@ void shadow_glass_end(const Render *render)
 bool shadow_glass_count(Render *render, GLuint *count)
 {
     const GlContext *gl = render->gl;
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->shadows.glass.buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->shadows->glass.buffer);
     gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, COUNT * sizeof(GLuint), sizeof *count, count);
     return gl_check(render->gl, "counting what is transparent in shadow maps");
 }
 
 void shadow_glass_delete(Render *render)
 {
-    render->gl->DeleteBuffers(1, &render->shadows.glass.buffer); /* GL ignores the name 0 */
-    free(render->shadows.glass.parts);
-    render->shadows.glass = (ShadowGlass){0};
+    render->gl->DeleteBuffers(1, &render->shadows->glass.buffer); /* GL ignores the name 0 */
+    free(render->shadows->glass.parts);
+    render->shadows->glass = (ShadowGlass){0};
 }

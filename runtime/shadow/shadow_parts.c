@@ -30,7 +30,7 @@ static bool fail_room(Render *render, const ShadowPart *part)
 /* Room for all that there is, if there may be so much. */
 static bool make_whole(Render *render, const ShadowPart *whole)
 {
-    ShadowGlass *glass = &render->shadows.glass;
+    ShadowGlass *glass = &render->shadows->glass;
     glass->full = shadow_glass_bytes(whole) > transparency_most_bytes(render);
     if (glass->full)
         return fail_room(render, whole);
@@ -41,11 +41,11 @@ static bool make_whole(Render *render, const ShadowPart *whole)
 /* Draws until all fragments find room. */
 static bool count_whole(Render *render)
 {
-    ShadowPart part = *render->shadows.glass.parts;
+    ShadowPart part = *render->shadows->glass.parts;
     shadow_draw_lists(render, &part);
     if (!shadow_glass_count(render, &part.fragments))
         return false;
-    if (part.fragments <= render->shadows.glass.parts->fragments)
+    if (part.fragments <= render->shadows->glass.parts->fragments)
         return true;
     return make_whole(render, &part) && count_whole(render);
 }
@@ -54,7 +54,7 @@ static bool count_whole(Render *render)
 
 static bool add(Render *render, const ShadowPart *part)
 {
-    ShadowGlass *glass = &render->shadows.glass;
+    ShadowGlass *glass = &render->shadows->glass;
     ShadowPart *parts = realloc(glass->parts, ((size_t)glass->part_count + 1) * sizeof *parts);
     if (!parts)
         return gl_fail(render->gl, "out of memory");
@@ -87,7 +87,7 @@ static bool fit(Render *render, ShadowPart *part)
 
 static bool divide(Render *render)
 {
-    ShadowGlass *glass = &render->shadows.glass;
+    ShadowGlass *glass = &render->shadows->glass;
     const ShadowPart whole = shadow_glass_whole(render);
     GLuint row = 0, column = 0, rows = whole.rows;
     size_t bytes = 0;
@@ -117,12 +117,12 @@ bool shadow_parts_make(Render *render)
 
 bool shadow_parts_count(Render *render) { return render->parted ? divide(render) : count_whole(render); }
 
-bool shadow_parts_fall_back(const Render *render) { return render->shadows.glass.full && !render->parted; }
+bool shadow_parts_fall_back(const Render *render) { return render->shadows->glass.full && !render->parted; }
 
-int shadow_parts_number(const Render *render) { return render->parted ? render->shadows.glass.part_count : 1; }
+int shadow_parts_number(const Render *render) { return render->parted ? render->shadows->glass.part_count : 1; }
 
 void shadow_parts_load(Render *render, int part)
 {
     if (render->parted)
-        shadow_draw_lists(render, &render->shadows.glass.parts[part]);
+        shadow_draw_lists(render, &render->shadows->glass.parts[part]);
 }

@@ -60,9 +60,9 @@ int shadow_sheet_bytes(const Render *render)
 
 void shadow_sheet_put(Text *out, const Render *render)
 {
-    if (render->shadows.sheets.layers)
+    if (render->shadows->sheets.layers)
         text_format(out, "%-8s  %-24s  %d: what planes let through of %d lights\n", "sheets", "RG32UI",
-                    shadow_sheet_bytes(render), render->shadows.sheets.layer_count);
+                    shadow_sheet_bytes(render), render->shadows->sheets.layer_count);
 }
 
 /* -- what is made */
@@ -70,7 +70,7 @@ void shadow_sheet_put(Text *out, const Render *render)
 static bool make_layers(Render *render)
 {
     GlContext *gl = render->gl;
-    ShadowSheets *sheets = &render->shadows.sheets;
+    ShadowSheets *sheets = &render->shadows->sheets;
     GLint most = 0;
     gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     if (sheets->layer_count > most)
@@ -113,7 +113,7 @@ static bool make_material(Render *render, const SetProgram *program, Material *m
 
 static bool make_materials(Render *render)
 {
-    ShadowSheets *sheets = &render->shadows.sheets;
+    ShadowSheets *sheets = &render->shadows->sheets;
     const Cache *cache = &render->cache;
     sheets->materials = calloc((size_t)sheets->layer_count * (size_t)sheets->count + 1, sizeof *sheets->materials);
     if (!sheets->materials)
@@ -194,7 +194,7 @@ static void set_plane(const Render *render, const SceneLight *light, const Scene
 
 static void set_numbers(const Render *render, int layer, const SceneLight *light)
 {
-    const ShadowSheets *sheets = &render->shadows.sheets;
+    const ShadowSheets *sheets = &render->shadows->sheets;
     const Cache *cache = &render->cache;
     Material *material = sheets->materials + (size_t)layer * (size_t)sheets->count;
     for (int i = 0, before = 0; i < cache->plane_count; i++) {
@@ -215,7 +215,7 @@ static void set_numbers(const Render *render, int layer, const SceneLight *light
 
 void shadow_sheet_change(const Render *render)
 {
-    if (!render->shadows.sheets.materials)
+    if (!render->shadows->sheets.materials)
         return;
     for (int i = 0, layer = 0; i < render->scene->light_count; i++)
         if (shadow_sheet_reads(&render->scene->lights[i]))
@@ -225,14 +225,14 @@ void shadow_sheet_change(const Render *render)
 
 void shadow_sheet_place(const Render *render)
 {
-    const ShadowSheets *sheets = &render->shadows.sheets;
+    const ShadowSheets *sheets = &render->shadows->sheets;
     for (int i = 0; sheets->materials && i < sheets->layer_count * sheets->count; i++)
         set(&sheets->materials[i], "sheet_ray", 4, render->space.ray);
 }
 
 bool shadow_sheet_set(const Render *render, int material, const MaterialValue *value)
 {
-    const ShadowSheets *sheets = &render->shadows.sheets;
+    const ShadowSheets *sheets = &render->shadows->sheets;
     bool found = false;
     for (int layer = 0, k = 0; sheets->materials && layer < sheets->layer_count; layer++)
         for (int i = 0; i < render->cache.plane_count; i++)
@@ -246,7 +246,7 @@ bool shadow_sheet_set(const Render *render, int material, const MaterialValue *v
 
 bool shadow_sheet_make(Render *render)
 {
-    ShadowSheets *sheets = &render->shadows.sheets;
+    ShadowSheets *sheets = &render->shadows->sheets;
     int units[2];
     if (!shadow_sheet_needed(render) || sheets->materials)
         return true;
@@ -261,7 +261,7 @@ bool shadow_sheet_make(Render *render)
 
 void shadow_sheet_delete(Render *render)
 {
-    ShadowSheets *sheets = &render->shadows.sheets;
+    ShadowSheets *sheets = &render->shadows->sheets;
     for (int i = 0; sheets->materials && i < sheets->layer_count * sheets->count; i++)
         material_delete(&sheets->materials[i]);
     free(sheets->materials);
@@ -275,7 +275,7 @@ void shadow_sheet_draw(const Render *render, GLuint depth)
 {
     static const GLenum none = GL_NONE;
     const GlContext *gl = render->gl;
-    const ShadowSheets *sheets = &render->shadows.sheets;
+    const ShadowSheets *sheets = &render->shadows->sheets;
     if (!sheets->materials)
         return;
     framebuffer_use(gl, &render->targets.draws[FRAME_DRAW_light]);

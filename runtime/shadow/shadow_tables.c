@@ -61,7 +61,7 @@ static bool write_table(GlContext *gl, const float (*from)[4], const int extents
 
 static bool write_views(Render *render)
 {
-    ShadowMaps *maps = &render->shadows;
+    ShadowMaps *maps = render->shadows;
     float(*texels)[4] = calloc(((size_t)maps->views.count + ROW) * VIEW_TEXELS, sizeof *texels);
     if (!texels)
         return gl_fail(render->gl, "out of memory");
@@ -111,12 +111,14 @@ static bool write_planes(Render *render)
             if (glass)
                 put_through(render, plane->program, texels[count++]);
         }
-    const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){count, 1}, &render->shadows.planes);
+    const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){count, 1}, &render->shadows->planes);
     free(texels);
     return done;
 }
 
 /* -- for the lighting of surfaces */
+
+bool shadow_has_maps(const Render *render) { return render->shadows->views.count > 0; }
 
 bool shadow_is_cast(const Render *render)
 {
@@ -152,29 +154,29 @@ static bool has_planes(const Render *render)
 bool shadow_make_views(Render *render)
 {
     return render->options.no_shadows ||
-           shadow_views_make(render->scene, &render->cache, render->whole, &render->shadows.views) ||
+           shadow_views_make(render->scene, &render->cache, render->whole, &render->shadows->views) ||
            gl_fail(render->gl, "out of memory");
 }
 
 bool shadow_make_tables(Render *render)
 {
-    const ShadowMaps *maps = &render->shadows;
-    return (!pass_shadow_needed(render) || maps->table || write_views(render)) &&
+    const ShadowMaps *maps = render->shadows;
+    return (!shadow_has_maps(render) || maps->table || write_views(render)) &&
            (!has_planes(render) || maps->planes || write_planes(render)) && shadow_sheet_make(render);
 }
 
 bool shadow_change(Render *render, bool drawn_again)
 {
-    ShadowMaps *maps = &render->shadows;
+    ShadowMaps *maps = render->shadows;
     const int before = maps->views.count;
     if (drawn_again) {
         shadow_views_free(&maps->views);
         if (!shadow_make_views(render))
             return false;
         maps->drawn = false;
-        render->glass.uncounted |= shadow_glass_needed(render);
+        render->uncounted |= shadow_glass_needed(render);
     }
-    if (maps->views.count != before || (has_planes(render) && !maps->planes && render->light.pass.material.store))
+    if (maps->views.count != before || (has_planes(render) && !maps->planes && frame_has(render, FRAME_TARGET_light)))
         return gl_fail(render->gl, "the lights' shadows take %d maps, not %d: this is another scene", maps->views.count,
                        before);
     shadow_sheet_change(render);
@@ -185,8 +187,8 @@ bool shadow_change(Render *render, bool drawn_again)
 bool shadow_has_silhouettes(const Render *render)
 {
     bool has = false;
-    for (int i = 0; i < render->shadows.views.count; i++)
-        has |= render->shadows.views.views[i].silhouettes && !render->shadows.views.views[i].hybrid;
+    for (int i = 0; i < render->shadows->views.count; i++)
+        has |= render->shadows->views.views[i].silhouettes && !render->shadows->views.views[i].hybrid;
     return has;
 }
 
@@ -201,7 +203,7 @@ static const char *cells_text(const Render *render, bool opaque)
 
 const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS])
 {
-    const bool maps = pass_shadow_needed(render), planes = has_planes(render), sheets = shadow_sheet_needed(render);
+    const bool maps = shadow_has_maps(render), planes = has_planes(render), sheets = shadow_sheet_needed(render);
     const bool glass = shadow_glass_needed(render), panes = planes && count_glass(render) > 0;
     int size = 0;
     *defined = 0;
@@ -236,10 +238,10 @@ const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_D
 }
 
 /* Of area lights, behind u: 1 + the first of their layers, or 0, if they cast no shadow. */
-static void put_areas(const Render *render, float (*texels)[4])
+static void put_areas(const Render *render, const int *counts, float (*texels)[4])
 {
-    const ShadowViews *views = &render->shadows.views;
-    float(*next)[4] = texels + view_space_texels(render->light.counts, VIEW_SPACE_AREAS);
+    const ShadowViews *views = &render->shadows->views;
+    float(*next)[4] = texels + view_space_texels(counts, VIEW_SPACE_AREAS);
     for (int i = 0; i < render->scene->light_count; i++) {
         if (render->scene->lights[i].kind != SCENE_Area)
             continue;
@@ -249,21 +251,21 @@ static void put_areas(const Render *render, float (*texels)[4])
     }
 }
 
-void shadow_put_lights(const Render *render, float (*texels)[4])
+void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS], float (*texels)[4])
 {
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;
-    float(*next)[4] = texels + view_space_texels(render->light.counts, VIEW_SPACE_POINTS);
-    put_areas(render, texels);
+    float(*next)[4] = texels + view_space_texels(counts, VIEW_SPACE_POINTS);
+    put_areas(render, counts, texels);
     for (int i = 0, layer = 0, bit = 0, exact = 0; i < scene->light_count; i++) {
         layer += shadow_sheet_reads(&scene->lights[i]);
         if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
             continue;
         const bool casts = scene_light_casts(&scene->lights[i]) && shadows;
-        const bool mapped = casts && pass_shadow_needed(render);
+        const bool mapped = casts && shadow_has_maps(render);
         next[2][3] = casts && exact_lists_wanted(&scene->lights[i]) ? (float)++exact : 0;
-        next[3][2] = mapped ? (float)render->shadows.views.lights[i].first : 0;
-        next[3][3] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;
+        next[3][2] = mapped ? (float)render->shadows->views.lights[i].first : 0;
+        next[3][3] = mapped ? (float)render->shadows->views.lights[i].count : casts ? 0 : -1;
         next[1][3] = casts ? (float)layer : 0;
         if (mapped && scene->lights[i].shadows == WORD_Shadows_hybrid)
             next[3][3] = -2 - next[3][3] - 8.0f * (float)bit++;
@@ -284,7 +286,7 @@ void shadow_samplers(ScreenPass *pass, int unit)
 void shadow_bind(const Render *render, int unit)
 {
     const GlContext *gl = render->gl;
-    const ShadowMaps *maps = &render->shadows;
+    const ShadowMaps *maps = render->shadows;
     if (maps->table) {
         gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
         gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->maps);

@@ -1,8 +1,9 @@
 /* Hybrid shadows: what a renderer keeps of shadow volumes, and what draws them. */
 #ifndef MATC_SHADOW_VOLUME_H
 #define MATC_SHADOW_VOLUME_H
+#include "runtime/frame/frame_pass.h"
 #include "compiler/base/text.h"
-#include "runtime/frame/frame_shadow.h"
+#include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/render_options.h"
 
 enum {
@@ -53,9 +54,5 @@ void volume_shown_draw(Render *render);
 /* Sets the uniforms of volume_vertex.glsl for a view of a light; begins its text. */
 void pass_volume_place(const Render *render, int number, Material *material);
 const char *pass_volume_head(const Render *render);
-bool pass_volume_make(Render *render);
-/* The view is another, or those of lights. */
-void pass_volume_change(Render *render);
-void pass_volume_draw(Render *render);
-void pass_volume_delete(Render *render);
+extern const FramePass pass_volume;
 #endif

@@ -23,8 +23,8 @@ bool volume_cells_are(const Render *render) { return render->scene->shadow_volum
 static int views_of(const Render *render)
 {
     int count = 0;
-    for (int i = 0; i < render->shadows.views.count; i++)
-        count += render->shadows.views.views[i].hybrid;
+    for (int i = 0; i < render->shadows->views.count; i++)
+        count += render->shadows->views.views[i].hybrid;
     return count;
 }
 
@@ -46,7 +46,7 @@ static bool check(const Render *render)
     GlContext *gl = render->gl;
     const size_t bytes = volume_cells_bytes(render), most = transparency_most_bytes(render);
     GLint blocks = 0;
-    if (render->volumes.path != WORD_Path_compute)
+    if (render->volumes->path != WORD_Path_compute)
         return gl_fail(gl, "shadow volumes that silhouettes cut come by the path compute, or auto");
     if (!gl->DrawArraysIndirect || !gl->DispatchCompute)
         return gl_fail(gl, "shadow volumes that silhouettes cut take OpenGL 4.5");
@@ -70,7 +70,7 @@ static GLuint make_buffer(const GlContext *gl, size_t bytes)
 
 bool volume_cells_make(Render *render)
 {
-    FrameVolumes *volumes = &render->volumes;
+    FrameVolumes *volumes = render->volumes;
     const ProgramText list = {.compute = {"#version 450 core\n", maps_text, render_text_shadow_volume,
                                           render_text_volume_cells, render_text_volume_list}};
     if (!check(render))
@@ -88,7 +88,7 @@ const char *volume_cells_maps(void) { return maps_text; }
 void volume_cells_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    gl->DeleteBuffers(2, (GLuint[]){render->volumes.cells, render->volumes.commands}); /* GL ignores the name 0 */
+    gl->DeleteBuffers(2, (GLuint[]){render->volumes->cells, render->volumes->commands}); /* GL ignores the name 0 */
 }
 
 /* -- lists */
@@ -96,19 +96,19 @@ void volume_cells_delete(Render *render)
 static void bind(const Render *render)
 {
     const GlContext *gl = render->gl;
-    const FrameVolumes *volumes = &render->volumes;
+    const FrameVolumes *volumes = render->volumes;
     gl->ActiveTexture(GL_TEXTURE0 + CROSSINGS_UNIT);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.silhouettes.crossings);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->silhouettes.crossings);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST, volumes->cells);
 }
 
 static void list_view(Render *render, int view, int number)
 {
     const GlContext *gl = render->gl;
-    Material *list = &render->volumes.writer;
-    const bool parallel = render->shadows.views.views[view].near <= 0;
+    Material *list = &render->volumes->writer;
+    const bool parallel = render->shadows->views.views[view].near <= 0;
     const float listed[4] = {(float)view, (float)silhouette_layer(render, view), (float)number, parallel};
     const GLuint groups = ((GLuint)render->scene->shadow_size + GROUP - 2) / GROUP;
     material_set(list, &(MaterialValue){"volume_listed", 4, listed});
@@ -121,12 +121,12 @@ void volume_cells_write(Render *render)
 {
     const GlContext *gl = render->gl;
     bind(render);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, COMMANDS, render->volumes.commands);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, COMMANDS, render->volumes->commands);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_RGBA32UI, 0,
                            (GLsizeiptr)((size_t)views_of(render) * PARTS * sizeof(Command)), GL_RGBA_INTEGER,
                            GL_UNSIGNED_INT, (GLuint[]){0, 1, 0, 0});
-    for (int view = 0, number = 0; view < render->shadows.views.count; view++)
-        if (render->shadows.views.views[view].hybrid)
+    for (int view = 0, number = 0; view < render->shadows->views.count; view++)
+        if (render->shadows->views.views[view].hybrid)
             list_view(render, view, number++);
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
@@ -145,10 +145,10 @@ void volume_cells_draw(const Render *render, int view, int number)
 {
     const GlContext *gl = render->gl;
     bind(render);
-    gl->BindVertexArray(render->volumes.array);
-    gl->BindBuffer(GL_DRAW_INDIRECT_BUFFER, render->volumes.commands);
+    gl->BindVertexArray(render->volumes->array);
+    gl->BindBuffer(GL_DRAW_INDIRECT_BUFFER, render->volumes->commands);
     for (int part = 0; part < PARTS; part++) {
-        set_cells(render, view, &render->volumes.sheets[view], (int[]){number, part});
+        set_cells(render, view, &render->volumes->sheets[view], (int[]){number, part});
         gl->DrawArraysIndirect(GL_TRIANGLES,
                                (const void *)(uintptr_t)((size_t)(PARTS * number + part) * sizeof(Command)));
     }
@@ -159,7 +159,7 @@ void volume_cells_draw_all(const Render *render, int view, int number)
 {
     enum { VERTICES = 30 /* of a cell: VOLUME_MOST triangles */ };
     bind(render);
-    render->gl->BindVertexArray(render->volumes.array);
-    set_cells(render, view, &render->volumes.shown[view], (int[]){number, 0});
+    render->gl->BindVertexArray(render->volumes->array);
+    set_cells(render, view, &render->volumes->shown[view], (int[]){number, 0});
     render->gl->DrawArrays(GL_TRIANGLES, 0, (GLsizei)(VERTICES * cells_of(render)));
 }

@@ -17,5 +17,5 @@ int volume_lights_count(const Render *render)
 
 bool volume_lights_cast(const Render *render)
 {
-    return render->shadows.views.count > 0 && volume_lights_count(render) > 0;
+    return render->shadows->views.count > 0 && volume_lights_count(render) > 0;
 }

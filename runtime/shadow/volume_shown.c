@@ -9,7 +9,7 @@ extern const char render_text_shadow_volume[], render_text_volume_cells[], rende
 
 static void place(const Render *render, int view)
 {
-    Material *material = &render->volumes.shown[view];
+    Material *material = &render->volumes->shown[view];
     pass_volume_place(render, view, material);
     material_set(material, &(MaterialValue){"look_ray", 4, render->space.ray});
     material_set(material, &(MaterialValue){"look_view", 4, render->space.depth});
@@ -17,8 +17,8 @@ static void place(const Render *render, int view)
 
 void volume_shown_place(const Render *render)
 {
-    for (int i = 0; render->volumes.shown && i < render->shadows.views.count; i++)
-        if (render->volumes.shown[i].store)
+    for (int i = 0; render->volumes->shown && i < render->shadows->views.count; i++)
+        if (render->volumes->shown[i].store)
             place(render, i);
 }
 
@@ -41,7 +41,7 @@ static bool make_view(Render *render, int view)
     const ProgramText text = {.vertex = {head, defined, volume_data_text(render, true), maps, render_text_shadow_volume,
                                          cells, render_text_volume_vertex},
                               .fragment = {head, defined, render_text_volume_shown}};
-    if (!material_make(render->store, NULL, &text, &render->volumes.shown[view]))
+    if (!material_make(render->store, NULL, &text, &render->volumes->shown[view]))
         return false;
     place(render, view);
     return true;
@@ -49,7 +49,7 @@ static bool make_view(Render *render, int view)
 
 bool volume_shown_make(Render *render)
 {
-    const int count = render->shadows.views.count;
+    const int count = render->shadows->views.count;
     bool fine = true;
     if (!volume_view_has_volume(render))
         return true;
@@ -58,11 +58,11 @@ bool volume_shown_make(Render *render)
                        render->look->name);
     if (!volume_lights_cast(render))
         return gl_fail(render->gl, "there is no view '%s': no light casts hybrid shadows here", render->look->name);
-    render->volumes.shown = calloc((size_t)count, sizeof *render->volumes.shown);
-    if (!render->volumes.shown)
+    render->volumes->shown = calloc((size_t)count, sizeof *render->volumes->shown);
+    if (!render->volumes->shown)
         return gl_fail(render->gl, "out of memory");
     for (int i = 0; fine && i < count; i++)
-        fine = !render->shadows.views.views[i].hybrid || make_view(render, i);
+        fine = !render->shadows->views.views[i].hybrid || make_view(render, i);
     return fine;
 }
 
@@ -80,7 +80,7 @@ static void begin(const Render *render)
     if (render->look->volume == VOLUME_VIEW_lines)
         gl->PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
 }
 
 static void end(const Render *render)
@@ -100,10 +100,10 @@ void volume_shown_draw(Render *render)
     if (!volume_view_has_volume(render))
         return;
     begin(render);
-    for (int i = 0; i < render->shadows.views.count; i++) {
-        if (!render->volumes.shown[i].store)
+    for (int i = 0; i < render->shadows->views.count; i++) {
+        if (!render->volumes->shown[i].store)
             continue;
-        render->gl->FrontFace(render->shadows.views.views[i].mirrored ? GL_CW : GL_CCW);
+        render->gl->FrontFace(render->shadows->views.views[i].mirrored ? GL_CW : GL_CCW);
         volume_data_draw(render, i, true);
     }
     render->gl->BindVertexArray(0);

@@ -99,7 +99,7 @@ static int triangles_of(const Place *p)
 
 static double map_time(const Place *p, int levels, int frames)
 {
-    FrameVoxels *voxels = &p->render->voxels;
+    FrameVoxels *voxels = p->render->voxels;
     const int kept = voxels->levels;
     double least = INFINITY;
     voxels->levels = levels;
@@ -107,7 +107,7 @@ static double map_time(const Place *p, int levels, int frames)
         p->gl->Finish();
         const double begin = bench_now();
         voxels->drawn = false;
-        pass_voxels_draw(p->render);
+        pass_voxels.draw(p->render);
         p->gl->Finish();
         least = fmin(least, bench_now() - begin);
     }
@@ -133,16 +133,16 @@ static double bricks_time(const Place *p)
 static void make_surfaces(const Place *p, bool drawn)
 {
     for (int i = 0; i < p->render->cache.place_count; i++)
-        p->render->voxels.waves[i] = drawn ? 0 : voxel_bodies_surface(p->render, i);
-    p->render->voxels.wave_count = 0;
+        p->render->voxels->waves[i] = drawn ? 0 : voxel_bodies_surface(p->render, i);
+    p->render->voxels->wave_count = 0;
 }
 
 /* The lowest level of bricks: so many words, from malloc; NULL: memory ran out. */
 static uint32_t *read_bricks(const Place *p, int words)
 {
-    const int edge = p->render->voxels.grid.size / 4, above = (edge * edge * edge - 1) / 7;
+    const int edge = p->render->voxels->grid.size / 4, above = (edge * edge * edge - 1) / 7;
     uint32_t *made = malloc(sizeof *made * (size_t)words);
-    p->gl->BindBuffer(GL_TEXTURE_BUFFER, p->render->voxels.buffer);
+    p->gl->BindBuffer(GL_TEXTURE_BUFFER, p->render->voxels->buffer);
     if (made)
         p->gl->GetBufferSubData(GL_TEXTURE_BUFFER, (GLintptr)sizeof *made * 2 * above, (GLsizeiptr)sizeof *made * words,
                                 made);
@@ -175,11 +175,11 @@ static bool measure_maps(GlContext *gl, const Arguments *a)
         uint32_t *maps[2] = {NULL, NULL};
         if (!open_place(gl, a, details[i], &p))
             return false;
-        const int words = p.render->voxels.grid.size * p.render->voxels.grid.size * (p.render->voxels.grid.size / 32);
+        const int words = p.render->voxels->grid.size * p.render->voxels->grid.size * (p.render->voxels->grid.size / 32);
         for (int k = 0; k < 4; k++) {
             if (k > 1)
                 make_surfaces(&p, k > 2);
-            times[k] = 1e3 * map_time(&p, k == 1 ? p.render->voxels.levels : 1, a->timed ? FRAMES : 1);
+            times[k] = 1e3 * map_time(&p, k == 1 ? p.render->voxels->levels : 1, a->timed ? FRAMES : 1);
             if (k > 1)
                 maps[k - 2] = read_bricks(&p, words);
             times[k] = a->timed ? times[k] : NAN;
@@ -240,7 +240,7 @@ static bool make_points(const Place *p, VoxelPoints *points)
         for (int k = 0; k < 3; k++)
             normal[k] /= sqrt(length);
         if (length > 0)
-            voxel_points_set(points, i, &p->render->voxels.grid, world, normal);
+            voxel_points_set(points, i, &p->render->voxels->grid, world, normal);
     }
     for (int i = 0; i < 2; i++)
         if (p->scene->objects[i].kind != SCENE_Mesh)

@@ -1,5 +1,6 @@
 /* Two pictures of the same points, and what tests/frame/boundary.h makes of them. */
 #include "shadows_error.h"
+#include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/boundary.h"
 #include <math.h>
@@ -29,7 +30,7 @@ static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMetho
     const bool done =
         render && rgba && render_scene(render, p->scene) && render_frame(render) && render_read(render, rgba);
     if (done && seen)
-        *seen = render->shadows.views.views[0];
+        *seen = render->shadows->views.views[0];
     render_close(render);
     if (done)
         return rgba;

@@ -20,7 +20,7 @@ bool frame_voxels_bit(const FrameVoxelsDrawn *d, const int at[3])
 
 uint32_t *frame_voxels_level(const FrameVoxelsDrawn *d, int level)
 {
-    const FrameVoxels *voxels = &d->render->voxels;
+    const FrameVoxels *voxels = d->render->voxels;
     const GlContext *gl = d->gl;
     const int edge = d->size >> level, words = d->size / 32;
     uint32_t *made = malloc((size_t)edge * (size_t)edge * (size_t)words * sizeof *made);

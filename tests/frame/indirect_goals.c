@@ -44,8 +44,8 @@ static double pass_time(Render *render)
     const double begin = processor_seconds();
     for (int i = 0; i < frame_pass_count(); i++)
         for (size_t pass = 0; pass < sizeof passes / sizeof *passes; pass++)
-            if (render->targets.plan.runs >> i & 1 && !strcmp(frame_passes[i].plan.name, passes[pass]))
-                frame_passes[i].draw(render);
+            if (render->targets.plan.runs >> i & 1 && !strcmp(frame_pass(i)->plan.name, passes[pass]))
+                frame_pass(i)->draw(render);
     render->gl->Finish();
     return processor_seconds() - begin;
 }

@@ -1,5 +1,6 @@
 /* A document with spheres where the casters stand, which become the mesh. Each pixel is judged at the point that its ray meets, in double. */
 #include "tests/frame/shadow_ends.h"
+#include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/boundary.h"
 #include "tests/frame/shadow_ray.h"
@@ -83,7 +84,7 @@ static ShadowView view_of(const ShadowPair *pair, Scene *scene)
     scene->lights[0].shadows = WORD_Shadows_map;
     free(shadow_pair_draw(pair, 0, scene));
     scene->lights[0].shadows = method;
-    return pair->renders[0]->shadows.views.views[0];
+    return pair->renders[0]->shadows->views.views[0];
 }
 
 double shadow_ends_distance(const ShadowPair *pair, const ShadowEnds *ends)

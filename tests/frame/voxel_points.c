@@ -117,7 +117,7 @@ void voxel_points_run(const Render *render, VoxelPointsPass *pass, float radius,
     voxel_bricks_bind(render, 2);
     screen_pass_sampler(&pass->pass, "voxel_slices", 3);
     render->gl->ActiveTexture(GL_TEXTURE0 + 3);
-    render->gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels.map);
+    render->gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels->map);
     material_set_number(&pass->pass.material, "off", off);
     material_set_number(&pass->pass.material, "radius", radius);
     screen_pass_run(&pass->pass, &pass->target, &render->screen);

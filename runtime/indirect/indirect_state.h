@@ -1,6 +1,7 @@
 /* What a frame keeps of voxels, cached radiance and indirect light: data alone, of the passes in runtime/indirect. */
-#ifndef MATC_FRAME_FRAME_INDIRECT_H
-#define MATC_FRAME_FRAME_INDIRECT_H
+#ifndef MATC_INDIRECT_INDIRECT_STATE_H
+#define MATC_INDIRECT_INDIRECT_STATE_H
+#include "runtime/frame/frame.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/scene/scene.h"
 
@@ -17,7 +18,7 @@ typedef struct {
     double longest;      /* of its triangles' edges */
 } VoxelShape;
 
-typedef struct {
+struct FrameVoxels {
     VoxelGrid grid;
     int layers, levels; /* the map's: those above are for views alone */
     VoxelShape *shapes; /* by mesh of the cache */
@@ -33,9 +34,9 @@ typedef struct {
     float (*fine_rows)[3][4];                        /* room for each place of the cache */
     bool drawn;                                      /* the map holds the scene */
     ScreenPass view;
-} FrameVoxels;
+};
 
-typedef struct {
+struct FrameRadiance {
     Material *keepers; /* by kind of the cache: its program, which ends in nodes */
     int keeper_count;
     unsigned char *casts;            /* by place */
@@ -48,7 +49,7 @@ typedef struct {
     GLuint room; /* nodes that the buffers have room for */
     GLuint count;
     bool drawn; /* it holds the scene */
-} FrameRadiance;
+};
 
 typedef struct {
     SceneMatrix *kept; /* by object: where it stood when rays were kept last; NULL: nothing is kept */
@@ -78,17 +79,17 @@ typedef struct {
 } IndirectMoving;
 
 /* Of the passes. */
-typedef struct {
+struct FrameIndirect {
     IndirectHistory history;
     IndirectMoving moving;
     Framebuffer between; /* of levels of the filter atrous: the target open, or a part of it */
     IndirectMotion motion;
     ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
-} FrameIndirect;
+};
 
 /* Of pass_positions.c. */
-typedef struct {
+struct FramePositions {
     Material material;
     GLuint array; /* without a buffer: vertices are numbers */
-} FramePositions;
+};
 #endif

@@ -1,6 +1,7 @@
 /* What a frame keeps of shadows: data alone, of the passes in runtime/shadow. */
-#ifndef MATC_FRAME_FRAME_SHADOW_H
-#define MATC_FRAME_FRAME_SHADOW_H
+#ifndef MATC_SHADOW_SHADOW_STATE_H
+#define MATC_SHADOW_SHADOW_STATE_H
+#include "runtime/frame/frame.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/sight/exact_cover.h"
 #include "runtime/sight/shadow_views.h"
@@ -42,7 +43,7 @@ typedef struct {
     Material find, pack;
 } Silhouettes;
 
-typedef struct {
+struct ShadowMaps {
     ShadowViews views;
     ShadowGlass glass;
     ShadowSheets sheets;
@@ -53,17 +54,17 @@ typedef struct {
     GLuint framebuffer; /* of the layer that is drawn */
     Material solid;     /* draws depth alone; stays until the renderer goes */
     bool drawn;         /* the maps hold the scene */
-} ShadowMaps;
+};
 
-typedef struct {
+struct ExactShadows {
     ExactTriangles triangles;
     ExactCover cover;       /* lists; its programs stay until the renderer goes */
     bool seen;              /* the target of that name has what the camera sees */
     GLuint corners, firsts; /* buffers: of triangles; of numbers of objects' first ones, counted from 1 */
-} ExactShadows;
+};
 
 /* Of pass_volume.c, volume_data.c and volume_blur.c. */
-typedef struct {
+struct FrameVolumes {
     Material *sheets, *caps; /* by view, of those that are hybrid; caps of those that are perspective */
     Material *marks;         /* of each hybrid light */
     Material *shown;         /* as sheets, to be looked at; NULL: they are not */
@@ -79,13 +80,5 @@ typedef struct {
     Material blur;
     GLuint sharp;           /* depths before they are blurred */
     GLuint cells, commands; /* of volume_cells.c: buffers of lists of cells, and of draws */
-} FrameVolumes;
-
-/* A view of the picture in which the volumes are seen, or objects are lines. */
-typedef enum { VOLUME_VIEW_none, VOLUME_VIEW_faces, VOLUME_VIEW_lines } VolumeViewHow;
-
-typedef struct {
-    const char *name;
-    VolumeViewHow scene, volume;
-} VolumeView;
+};
 #endif

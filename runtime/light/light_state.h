@@ -1,6 +1,7 @@
 /* What a frame keeps of light: data alone, of the passes in runtime/light. */
-#ifndef MATC_FRAME_FRAME_LIGHT_H
-#define MATC_FRAME_FRAME_LIGHT_H
+#ifndef MATC_LIGHT_LIGHT_STATE_H
+#define MATC_LIGHT_LIGHT_STATE_H
+#include "runtime/frame/frame.h"
 #include "runtime/cache/view_space.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/scene/scene.h"
@@ -28,18 +29,11 @@ typedef struct {
     GLuint texels, bits;             /* the same as textures, which the pass light reads */
 } FrameFar;
 
-/* What decides by which programs, maps and targets a light is drawn. */
-typedef struct {
-    SceneKind kind;
-    Word shadows;
-    bool both_sides;
-} RenderLight;
-
-typedef struct {
+struct FrameLight {
     ScreenPass pass;
     FrameFar far;
     LightTable table;
     int counts[VIEW_SPACE_SECTIONS]; /* of lights */
     SkyLight sky;
-} FrameLight;
+};
 #endif

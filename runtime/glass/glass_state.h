@@ -1,6 +1,7 @@
 /* What a frame keeps of what is transparent: data alone, of the passes in runtime/glass. */
-#ifndef MATC_FRAME_FRAME_GLASS_H
-#define MATC_FRAME_FRAME_GLASS_H
+#ifndef MATC_GLASS_GLASS_STATE_H
+#define MATC_GLASS_GLASS_STATE_H
+#include "runtime/frame/frame.h"
 #include "runtime/draw/screen_pass.h"
 
 /* Of pass_lists.c. */
@@ -13,12 +14,11 @@ typedef struct {
 } FrameLists;
 
 /* What is transparent: where each pixel's fragments lie in lists, or are peeled in layers. */
-typedef struct {
+struct FrameGlass {
     ScreenPass blend, peel; /* of lists; of a layer */
     FrameLists lists;
     Framebuffer layers[2]; /* that are peeled, in turns */
     int layer_count;
-    bool uncounted;    /* fragments and layers, since the scene changed */
     int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
-} FrameGlass;
+};
 #endif

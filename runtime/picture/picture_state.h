@@ -1,6 +1,7 @@
 /* What a frame keeps of edges and tools: data alone, of the passes in runtime/picture. */
-#ifndef MATC_FRAME_FRAME_PICTURE_H
-#define MATC_FRAME_FRAME_PICTURE_H
+#ifndef MATC_PICTURE_PICTURE_STATE_H
+#define MATC_PICTURE_PICTURE_STATE_H
+#include "runtime/frame/frame.h"
 #include "runtime/draw/measure.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/gl/framebuffer.h"
@@ -21,12 +22,12 @@ typedef struct {
     ScreenPass veil;           /* lays what is transparent over the tools: what it lets through */
 } FrameTools;
 
-typedef struct {
+struct FramePicture {
     ScreenPass tone;
     Measure measured, adapted;                /* what tone mapping asks of the picture, and of what it makes of that */
     GLuint whole[2];                          /* textures of the same, of all tiles; 0: there is one tile */
     float whole_texels[2][MEASURE_TEXELS][4]; /* what is in them */
     FrameEdge edge;
     FrameTools tools;
-} FramePicture;
+};
 #endif

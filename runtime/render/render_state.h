@@ -1,0 +1,23 @@
+/* A renderer with the states of all folders of passes: what render_open allocates. */
+#ifndef MATC_RENDER_RENDER_STATE_H
+#define MATC_RENDER_RENDER_STATE_H
+#include "runtime/glass/glass_state.h"
+#include "runtime/indirect/indirect_state.h"
+#include "runtime/light/light_state.h"
+#include "runtime/picture/picture_state.h"
+#include "runtime/shadow/shadow_state.h"
+
+typedef struct {
+    Render render;
+    FrameLight light;
+    ShadowMaps shadows;
+    ExactShadows exact;
+    FrameVolumes volumes;
+    FrameVoxels voxels;
+    FrameRadiance radiance;
+    FrameIndirect indirect;
+    FramePositions positions;
+    FramePicture picture;
+    FrameGlass glass;
+} RenderState;
+#endif
