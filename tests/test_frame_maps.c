@@ -1,5 +1,5 @@
-/* How many shadow maps a light has, and how near to a light something still casts a shadow: the
- * limits that scene.def and shadow_views.c name. */
+/* How many shadow maps a light has, how near to a light something still casts a shadow, and what
+ * does not shade itself: the limits that scene.def and shadow_views.c name. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -79,9 +79,32 @@ static void near_things_cast_shadows(void **state)
     gl_close(gl);
 }
 
+/* A leaf that a lamp lights from behind, three away, is not in its own shadow: what it scatters is
+ * 0.8 cos / 9 of the lamp's 9. */
+static void leaves_do_not_shade_themselves(void **state)
+{
+    (void)state;
+    static const char text[] = PICTURE
+        "camera: { camera: Perspective, position: [0, -10, 0], target: [0, 0, 0], angle: 2 }\n"
+        "lights: [{ light: Point, position: [0, 3, 0], intensity: 9 }]\n"
+        "objects: [{ object: Parallelogram, u: [4, 0, 0], v: [0, 0, 4], transform: { translation: "
+        "[-2, 0, -2] }, material: { material: Phong, diffuse: 0, diffuseTransparency: .8 } }]\n";
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    Scene *scene = frame_scene(text, &options, &document);
+    float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    for (int i = 0; i < SIDE * SIDE; i++)
+        assert_true(light[4 * i] > .78f && light[4 * i] < .81f);
+    free(light);
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(lights_have_their_maps),
-                                       cmocka_unit_test(near_things_cast_shadows)};
+                                       cmocka_unit_test(near_things_cast_shadows),
+                                       cmocka_unit_test(leaves_do_not_shade_themselves)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
