@@ -114,7 +114,8 @@ static bool read_comma(FormulaReader *r)
         formula_next(r);
         return true;
     }
-    formula_say(r, DIAG_formula_comma);
+    if (!formula_say_decimal(r))
+        formula_say(r, DIAG_formula_comma);
     r->operand_count--; /* the one behind it stands for both */
     return false;
 }
@@ -211,6 +212,8 @@ bool formula_operator(FormulaReader *r, bool *ended)
         formula_next(r);
         return false;
     }
+    if (formula_read_suffix(r))
+        return true;
     if (formula_is(r, ".") || formula_is(r, "[")) {
         (formula_is(r, ".") ? read_lanes : read_index)(r);
         return true;

@@ -130,3 +130,88 @@ void formula_say_other(FormulaReader *r)
     r->faults++;
     diag_add(r->session, formula_token_span(r), DIAG_formula_other, formula_token_text(r->s, r->token), hint);
 }
+
+/* -- Letters behind numbers, decimal commas, `return` */
+
+static bool is_suffix_of_c(const char *letters)
+{
+    static const char *const suffixes[] = {"f", "F", "h", "H", "d", "D", "l", "L", "lf", "LF"};
+    for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++)
+        if (!strcmp(suffixes[i], letters))
+            return true;
+    return false;
+}
+
+/* The number that ends right before the token; NULL: there is none. */
+static const FormulaStep *number_before(const FormulaReader *r)
+{
+    const FormulaStep *step = r->operand_count ? &r->f->steps[r->operands[r->operand_count - 1]] : NULL;
+    return step && step->kind == FORMULA_number && step->end > step->start && step->end == r->token.start ? step : NULL;
+}
+
+/* What to write instead of "2u", "45deg", "0.5f", "0x1F". */
+static const char *without_suffix(const FormulaReader *r, const FormulaStep *number, const char *letters)
+{
+    const int digits = (int)(number->end - number->start);
+    const char *written = r->s->text + number->start;
+    const bool known = quantity_named(letters, (uint32_t)strlen(letters)) != QUANTITY_none || names_find(&r->locals, letters) >= 0;
+    Text text = text_new(r->session->arena);
+    if (!strncmp(letters, "deg", 3))
+        text_format(&text, "angles are in radians, %.*s * pi / 180", digits, written);
+    else if (number->number == 0 && *letters == 'x' && letters[1])
+        text_put(&text, "numbers are decimal");
+    else if (known && !is_suffix_of_c(letters))
+        text_format(&text, "a product is written %.*s * %s", digits, written, letters);
+    else
+        text_format(&text, "numbers have none, %.*s", digits, written);
+    return text.at;
+}
+
+bool formula_read_suffix(FormulaReader *r)
+{
+    const FormulaStep *number = number_before(r);
+    const bool point = formula_is(r, ".");
+    const Token letters = point ? formula_token(r->s, r->token.end) : r->token;
+    const Token behind = formula_token(r->s, letters.end);
+    if (!number || letters.kind != TOKEN_name || formula_token_is(&behind, "("))
+        return false;
+    const char *word = formula_word(r, letters);
+    if (point && (letters.start != r->token.end || !is_suffix_of_c(word)))
+        return false;
+    const Token whole = {.kind = TOKEN_name, .start = number->start, .end = letters.end};
+    r->faults++;
+    diag_add(r->session, formula_span(r, whole.start, whole.end), DIAG_formula_suffix, formula_token_text(r->s, whole),
+             without_suffix(r, number, word));
+    r->token = behind;
+    return true;
+}
+
+bool formula_say_decimal(FormulaReader *r)
+{
+    const char *text = r->s->text, *comma = text + r->token.start;
+    uint32_t start = r->token.start;
+    while (start > 0 && text_is_digit(text[start - 1]))
+        start--;
+    const Token behind = formula_token(r->s, r->token.end);
+    const bool fraction = start > 0 && text[start - 1] == '.';
+    if (start == r->token.start || fraction || behind.kind != TOKEN_number || behind.start != r->token.end ||
+        !text_is_digit(text[behind.start]))
+        return false;
+    Text number = text_new(r->session->arena);
+    text_format(&number, "%.*s.%.*s", (int)(comma - text - start), text + start, (int)formula_token_size(behind),
+                text + behind.start);
+    r->faults++;
+    diag_add(r->session, formula_span(r, start, behind.end), DIAG_decimal_comma, number.at, "");
+    formula_next(r);
+    return true;
+}
+
+void formula_pass_return(FormulaReader *r)
+{
+    const Token behind = formula_token(r->s, r->token.end);
+    if (!is_called(r, &r->token, "return") || (!begins_value(&behind) && !formula_token_is(&behind, "[")))
+        return;
+    r->faults++;
+    diag_add(r->session, formula_token_span(r), DIAG_formula_return);
+    formula_next(r);
+}

@@ -61,6 +61,7 @@ static void read_local(FormulaReader *r)
 /* `float d = ...`, as GLSL has it: the type is reported, and passed over. */
 static void pass_type(FormulaReader *r)
 {
+    formula_pass_return(r);
     const Token name = r->token.kind == TOKEN_name ? formula_token(r->s, r->token.end) : r->token;
     const Token sign = name.kind == TOKEN_name ? formula_token(r->s, name.end) : name;
     if (r->token.kind != TOKEN_name || name.kind != TOKEN_name || !formula_token_is(&sign, "="))

@@ -1,5 +1,6 @@
 /* Pictures that documents name, files or parts of glTF files: PNG, JPEG, OpenEXR or BMP, told by their first bytes. The numbers are the file's: gamma, profiles and all else
  * that says how they are to be shown is passed over. */
+#include "compiler/front/hint.h"
 #include "compiler/front/image_file.h"
 #include <stdlib.h>
 #include <string.h>
@@ -101,5 +102,7 @@ const Image *image_load(Resolver *r, const char *path, Span span)
         ARENA_PUSH(session->arena, r->broken, count, r->broken_room, why);
         names_add(session->arena, &r->broken_paths, full);
     }
+    if (hint_backslash(session, span))
+        return NULL;
     return diag_add(session, span, DIAG_no_image, path, broken < 0 ? why : r->broken[broken]);
 }

@@ -127,7 +127,8 @@ static void say_missing(Session *session, const Tree *name, const Found *found)
     else
         text_put(&hint, diag_suggest(session, file, shipped_file, NULL, library_count));
     session_depend_on(session, found->path);
-    diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, hint.at);
+    if (!hint_backslash(session, name->span))
+        diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, hint.at);
 }
 
 /* Whether some key of a document's outermost level stands in a text. What is none, a password file for instance, is

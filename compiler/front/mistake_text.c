@@ -2,6 +2,7 @@
  * a picture's name, a param's. */
 #include "compiler/base/text.h"
 #include "compiler/formula/formula.h"
+#include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
 #include <string.h>
 
@@ -67,6 +68,8 @@ bool mistake_formula(Resolver *r, const Tree *tree)
 {
     if (tree->kind != TREE_scalar || !tree->count || strlen(tree->text) != tree->count)
         return false;
+    if (ends_as_picture(tree) && hint_backslash(r->session, tree->span))
+        return true;
     if (ends_as_picture(tree)) {
         diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a picture, and no colour; a picture is written",
                  "map: ImageMap, image", tree->text);

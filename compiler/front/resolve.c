@@ -49,7 +49,9 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
     if (name->kind != TREE_scalar) {
         const bool use = name->kind == TREE_object && tree_find(name, "ref");
         diag_add(r->session, name->span, use ? DIAG_ref_in_kind : DIAG_wrong_type, material ? "`material:`" : "`map:`",
-                 "a name", tree_describe(r->session, name));
+                 material && name->kind == TREE_object && !use ? "a name, with the parameters beside it, `material: Phong`"
+                                                       : "a name",
+                 tree_describe(r->session, name));
         return false;
     }
     bool other = false; /* a map has the name of a material that is wanted, or a material that of a map */

@@ -22,7 +22,7 @@ typedef struct {
     Session *session;
     Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     size_t def_count, def_room;
-    bool lacks_file; /* an include could not be read, which was said: what it should define is not asked for again */
+    bool lacks_file; /* an include or `defs:` could not be read, which was said: what it should define is not asked for again */
     Uniform **uniforms;
     size_t uniform_count, uniform_room;
     Names uniform_names;

@@ -45,15 +45,25 @@ static void name_defs(const Tree *defs)
         defs->members[i].value->name = defs->members[i].key;
 }
 
+/* Names and their values; false: something else, which is reported. */
+static bool check_defs_form(Resolver *r, const Tree *defs)
+{
+    if (hint_assigned(r->session, defs))
+        return false;
+    if (defs->kind != TREE_object)
+        diag_add(r->session, defs->span, DIAG_wrong_type, "defs", "names with their values, `name: value`",
+                 tree_describe(r->session, defs));
+    return defs->kind == TREE_object;
+}
+
 /* Collects `defs:` of the document and, after them, of the files it includes; each file's `colors:` counts for itself. */
 static bool read_defs(Resolver *r, Tree *document, int depth)
 {
     const Member *defs = tree_find(document, "defs"), *include = tree_find(document, "include");
     bool fine = resolve_color_space(r, document);
     if (defs && !tree_is_null(defs->value)) {
-        if (defs->value->kind != TREE_object) {
-            diag_add(r->session, defs->value->span, DIAG_wrong_type, "defs", "an object",
-                     tree_describe(r->session, defs->value));
+        if (!check_defs_form(r, defs->value)) {
+            r->lacks_file = true;
             return false;
         }
         name_defs(defs->value);
@@ -182,7 +192,14 @@ static void *say_no_material(Session *session, const Tree *document)
     }
     if (mistake_keys(session, document) || hint_document(session, document))
         return NULL;
-    return diag_add(session, document->span, DIAG_no_material);
+    return diag_add(session, document->span, DIAG_no_material, hint_no_material(session, document));
+}
+
+/* - material: Phong */
+static bool lists_material(const Tree *document)
+{
+    return document->kind == TREE_list && document->count && document->items[0]->kind == TREE_object &&
+           tree_find(document->items[0], "material");
 }
 
 static void say_nothing_to_compile(Session *session, const Tree *document)
@@ -221,7 +238,9 @@ Graph *resolve(Session *session, Tree *document)
     if (document->kind == TREE_scalar && mistake_key(session, document->span, document->text))
         return NULL;
     if (document->kind != TREE_object)
-        return diag_add(session, document->span, DIAG_document_not_object);
+        return lists_material(document) && hint_listed(session, document)
+                   ? NULL
+                   : diag_add(session, document->span, DIAG_document_not_object);
     const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
     if (!one)
         one = tree_find(document, "ref");
@@ -231,7 +250,8 @@ Graph *resolve(Session *session, Tree *document)
     bool fine = check_top(&r, document, many || scene);
     fine &= read_defs(&r, document, 0);
     if (many && many->value->kind != TREE_object)
-        return diag_add(session, many->value->span, DIAG_wrong_type, "materials", "an object",
+        return diag_add(session, many->value->span, DIAG_wrong_type, "materials",
+                        "names with their materials, `name: { material: Phong }`",
                         tree_describe(session, many->value));
     if (many && !many->value->count)
         return diag_add(session, many->value->span, DIAG_no_materials);

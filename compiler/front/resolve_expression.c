@@ -1,6 +1,7 @@
 /* Formulas of a document: their text, the maps that they name, and how many lanes a map has in them. */
 #include "compiler/formula/formula.h"
 #include "compiler/base/text.h"
+#include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/resolve_definition.h"
 #include <float.h>
@@ -287,6 +288,8 @@ bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, Lane
 static bool check_names(Resolver *r, const Tree *with)
 {
     bool fine = true;
+    if (hint_assigned(r->session, with))
+        return false;
     if (with->kind != TREE_object) {
         diag_add(r->session, with->span, DIAG_wrong_type, "with", "maps by name, `{ a: black, b: white }`",
                  tree_describe(r->session, with));

@@ -1,4 +1,5 @@
 /* Meshes of files, each read once; of a file with materials, a mesh for each of them. */
+#include "compiler/front/hint.h"
 #include "runtime/scene/model.h"
 #include "runtime/scene/scene_part.h"
 #include <stdlib.h>
@@ -55,7 +56,8 @@ static SceneMeshFile file_of(SceneReader *r, const char *path, bool parts)
 
 static int fail(SceneReader *r, const Tree *tree, const char *error)
 {
-    diag_add(r->session, tree->span, DIAG_cannot_read, tree->text, error);
+    if (!hint_backslash(r->session, tree->span))
+        diag_add(r->session, tree->span, DIAG_cannot_read, tree->text, error);
     r->fine = false;
     return -1;
 }
