@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 
 # -- "file name" of every exported function
 
-find "$build" -name '*.c.o' | grep -E '\.dir/(compiler|runtime|grammar)/' | grep -v '/grammar/gen/' |
+find "$build" -name '*.c.o' | grep -E '\.dir/(compiler|runtime|grammar)/' | grep -v '/compiler/gen/' |
     while read -r object; do source=${object#*.dir/} && [ ! -f "${source%.o}" ] || echo "$object"; done | xargs nm -A |
     awk '{ sub(/\.o:/, ".o ") } NF == 4 && $3 == "T" { f = $1; sub(/.*\.dir\//, "", f); sub(/\.o$/, "", f); print f, $4 }' | sort -u >"$work/exports"
 

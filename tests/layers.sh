@@ -30,13 +30,13 @@ END
 
 # -- Includes: "user used", as files
 
-find compiler runtime grammar -path grammar/gen -prune -o -name '*.[ch]' -print | while read -r file; do
+find compiler runtime grammar -path compiler/gen -prune -o -name '*.[ch]' -print | while read -r file; do
     sed -nE "s,^ *# *include \"((compiler|runtime|grammar)/[^\"]*)\".*,$file \1,p" "$file"
 done | grep -v ' compiler/matc\.h$' >"$work/includes"
 
 # -- Calls: an edge from the object that wants a symbol to the one that defines it
 
-find "$build" -path '*/mutants' -prune -o -name '*.c.o' -print | grep -E '\.dir/(compiler|runtime|grammar)/' | grep -v '/grammar/gen/' |
+find "$build" -path '*/mutants' -prune -o -name '*.c.o' -print | grep -E '\.dir/(compiler|runtime|grammar)/' | grep -v '/compiler/gen/' |
     while read -r object; do source=${object#*.dir/} && [ ! -f "${source%.o}" ] || echo "$object"; done | xargs nm -A |
     awk '{ sub(/\.o:/, ".o ") } { f = $1; sub(/.*\.dir\//, "", f); sub(/\.o$/, "", f) }
         NF == 4 && $3 ~ /[TDRBC]/ { print "def", $4, f } NF == 3 && $2 == "U" { print "use", $3, f }' | sort -u >"$work/symbols"
@@ -49,7 +49,7 @@ awk '$1 == "def" { at[$2] = $3 } $1 == "use" { n++; name[n] = $2; by[n] = $3 }
 # -- Every edge between folders is in the table
 
 cat "$work/includes" "$work/calls" | awk -v sees="$work/sees" '
-    function folder(path) { sub(/\/[^\/]*$/, "", path); sub(/^runtime\/library\/.*/, "runtime/library", path); return path }
+    function folder(path) { sub(/\/[^\/]*$/, "", path); sub(/^compiler\/library\/.*/, "compiler/library", path); return path }
     BEGIN { while ((getline line < sees) > 0) { n = split(line, word); known[word[1]] = 1; for (i = 1; i <= n; i++) may[word[1], word[i]] = 1 } }
     { a = folder($1); b = folder($2); met[a] = met[a, b] = 1 }
     !((a, b) in may) { print "layers.sh: " $1 " must not see " $2 ($3 != "" ? " (calls " $3 ")" : ""); bad = 1 }

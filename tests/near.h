@@ -1,7 +1,7 @@
 /* Numbers of the C references against others. */
 #ifndef TESTS_NEAR_H
 #define TESTS_NEAR_H
-#include "runtime/library/reference.h"
+#include "compiler/library/reference.h"
 #include <math.h>
 
 enum { SAMPLES = 20000 };

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/pipeline.h"
-#include "runtime/library/java_random.h"
+#include "compiler/library/java_random.h"
 #include "tests/stress/generate.h"
 #include "tests/value/evaluate.h"
 #include <stdio.h>

@@ -5,9 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/library/normal.h"
-#include "runtime/library/pack.h"
-#include "runtime/library/reference.h"
+#include "compiler/library/normal.h"
+#include "compiler/library/pack.h"
+#include "compiler/library/reference.h"
 #include "tests/value/canvas.h"
 #include "tests/value/half.h"
 #include <stdio.h>

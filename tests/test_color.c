@@ -9,7 +9,7 @@
 #include "compiler/front/graph.h"
 #include "compiler/matc.h"
 #include "runtime/gl/png_write.h"
-#include "runtime/library/srgb.h"
+#include "compiler/library/srgb.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/library/java_random.h"
+#include "compiler/library/java_random.h"
 #include "tests/value/apart.h"
 #include "tests/value/sheet.h"
 #include <stdio.h>

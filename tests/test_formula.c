@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/formula/formula.h"
-#include "runtime/library/reference.h"
+#include "compiler/library/reference.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

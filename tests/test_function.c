@@ -6,9 +6,9 @@
 #include <cmocka.h>
 #include "compiler/ir/ir.h"
 #include "compiler/pipeline.h"
-#include "runtime/library/java_random.h"
+#include "compiler/library/java_random.h"
 #include "tests/value/cases.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

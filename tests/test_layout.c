@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "compiler/layout/layout.h"
 #include "compiler/oracle/oracle.h"
-#include "runtime/library/normal.h"
+#include "compiler/library/normal.h"
 #include "tests/layout_values.h"
 #include "tests/value/gbuffer.h"
 #include "tests/value/half.h"

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/library/chunk.h"
+#include "compiler/library/chunk.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"

@@ -11,7 +11,7 @@
 #include "tests/stress/choices.h"
 #include "tests/value/expression.h"
 #include "tests/value/ir_site.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 #include <string.h>
 
 enum { PROGRAMS = 300, STEPS = 40, POINTS = 24 };

@@ -5,9 +5,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/ir/ir.h"
-#include "runtime/library/carpenter.h"
-#include "runtime/library/references.h"
-#include "runtime/library/sky.h"
+#include "compiler/library/carpenter.h"
+#include "compiler/library/references.h"
+#include "compiler/library/sky.h"
 #include "tests/near.h"
 #include <string.h>
 

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 #include "tests/near.h"
 
 REFERENCE(granite);

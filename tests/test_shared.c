@@ -8,7 +8,7 @@
 #include "compiler/tool/batch.h"
 #include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
-#include "runtime/library/normal.h"
+#include "compiler/library/normal.h"
 #include "tests/stress/generate.h"
 #include "tests/stress/packed.h"
 #include "tests/value/batch_set.h"

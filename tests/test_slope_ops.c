@@ -8,7 +8,7 @@
 #include "compiler/ir/fold.h"
 #include "compiler/pipeline.h"
 #include "compiler/lower/slope.h"
-#include "runtime/library/java_random.h"
+#include "compiler/library/java_random.h"
 #include "tests/value/cases.h"
 #include <stdio.h>
 #include <string.h>

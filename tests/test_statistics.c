@@ -4,8 +4,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/library/java_random.h"
-#include "runtime/library/reference.h"
+#include "compiler/library/java_random.h"
+#include "compiler/library/reference.h"
 #include <stdio.h>
 
 REFERENCE(turbulenceFiltered);

@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/library/cells.h"
-#include "runtime/library/java_random.h"
+#include "compiler/library/cells.h"
+#include "compiler/library/java_random.h"
 #include <stdio.h>
 
 enum { F1, F2, edge, random_number, centre, MEASURES };

@@ -97,7 +97,7 @@ static void maps_have_their_files(void **state)
             continue;
         snprintf(path, sizeof path, "examples/%s.yaml", kind_table[kind].function);
         assert_int_equal(access(path, R_OK), 0);
-        snprintf(path, sizeof path, "runtime/library/maps/%s.glsl", kind_table[kind].function);
+        snprintf(path, sizeof path, "compiler/library/maps/%s.glsl", kind_table[kind].function);
         assert_int_equal(access(path, R_OK) == 0, kind_table[kind].lowering == LOWERING_VOLUME);
     }
 }

@@ -3,7 +3,7 @@
 #define MATC_CHUNKS_H
 #include "compiler/base/session.h"
 #include "compiler/ir/job.h"
-#include "runtime/library/chunk.h"
+#include "compiler/library/chunk.h"
 
 typedef struct {
     const Chunk **at; /* users after what they need */

@@ -1,7 +1,7 @@
 /* Textures: pictures as they are, reliefs baked, GroIMP's noise tables. */
 #include "compiler/emit/texture.h"
-#include "runtime/library/carpenter.h"
-#include "runtime/library/srgb.h"
+#include "compiler/library/carpenter.h"
+#include "compiler/library/srgb.h"
 #include <math.h>
 #include <string.h>
 

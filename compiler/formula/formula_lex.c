@@ -1,6 +1,6 @@
 /* A formula's text as numbers, colours, names and symbols. Of what is longest: "<=" before "<", "1.5e3" as one number. */
 #include "compiler/formula/formula_lex.h"
-#include "runtime/library/srgb.h"
+#include "compiler/library/srgb.h"
 #include <math.h>
 #include <string.h>
 

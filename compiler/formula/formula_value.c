@@ -1,8 +1,8 @@
 /* Formulas in double precision: the VALUE lines of expression.def, which are written from the mathematics and share nothing with the IR that
  * lowering makes. A condition is 1 or 0. A number goes with every lane: values of one lane are kept in all four. */
 #include "compiler/formula/formula.h"
-#include "runtime/library/reference.h"
-#include "runtime/library/references.h"
+#include "compiler/library/reference.h"
+#include "compiler/library/references.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* A material as a sky that shines. */
 #include "compiler/front/graph_sky.h"
-#include "runtime/library/sky.h"
+#include "compiler/library/sky.h"
 
 static const Node *node_of(const Node *node, int param)
 {

@@ -3,7 +3,7 @@
 #include "compiler/front/reserved.h"
 #include "compiler/base/session.h"
 #include "grammar/tables.h"
-#include "runtime/library/chunk.h"
+#include "compiler/library/chunk.h"
 #include "compiler/base/text.h"
 #include <string.h>
 

@@ -2,7 +2,7 @@
  * srgb(...) and linear(...) for one colour. What a file says holds for what is written in that file, wherever it is used. */
 #include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
-#include "runtime/library/srgb.h"
+#include "compiler/library/srgb.h"
 #include "compiler/base/text.h"
 #include "compiler/base/warnings.h"
 #include <string.h>

@@ -1,7 +1,7 @@
 /* The value of an operation on constants, in double precision: from the FOLD lines of ops.def, from the C references for library
  * functions. Serves the constant folder and ir_eval. */
 #include "compiler/ir/fold.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 #include <math.h>
 #include <string.h>
 

@@ -5,7 +5,7 @@
 #include "compiler/base/session.h"
 #include "compiler/front/graph.h"
 #include "compiler/ir/job.h"
-#include "runtime/library/reference.h"
+#include "compiler/library/reference.h"
 
 typedef enum {
 #define OP(name, shape, glsl, arity, rule, doc) OP_##name,

@@ -3,7 +3,7 @@
 #define MATC_JOB_H
 #include "compiler/base/text.h"
 #include "grammar/layout_tables.h"
-#include "runtime/library/reference.h"
+#include "compiler/library/reference.h"
 
 typedef struct {
     Target target;

@@ -5,7 +5,7 @@
  *     c = mul(b, b)      [0, 0.25]: one value twice, where the corners alone would give [-0.25, 0.25]
  *     d = max(c, 0)      is c, as opt_range finds */
 #include "compiler/ir/range.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 #include <math.h>
 
 enum { MOST_GUARDS = 16, SEEN_SLOTS = 128, MOST_LANES = 4 };

@@ -3,7 +3,7 @@
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
 #include "grammar/lobe_table.h"
-#include "runtime/library/sky.h"
+#include "compiler/library/sky.h"
 
 /* The surface where there is no material: GroIMP's grey. */
 static const double missing_gray = 128.0 / 255;

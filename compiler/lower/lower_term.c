@@ -7,7 +7,7 @@
 #include "compiler/lower/answer.h"
 #include "compiler/lower/area.h"
 #include "compiler/lower/cells.h"
-#include "runtime/library/reference.h"
+#include "compiler/library/reference.h"
 #include <float.h>
 #include <math.h>
 

@@ -2,7 +2,7 @@
 #include "compiler/oracle/oracle.h"
 #include "compiler/base/memory.h"
 #include "compiler/oracle/oracle_maps.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>

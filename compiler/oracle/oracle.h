@@ -5,7 +5,7 @@
 #define MATC_ORACLE_H
 #include "compiler/base/session.h"
 #include "compiler/front/graph.h"
-#include "runtime/library/reference.h"
+#include "compiler/library/reference.h"
 
 enum { CHANNEL_ID_COUNT = LANES_OF_GROUP * GROUP_COUNT };
 

@@ -2,7 +2,7 @@
 #include "compiler/formula/formula.h"
 #include "compiler/base/memory.h"
 #include "compiler/oracle/oracle_maps.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #include "compiler/oracle/oracle.h"
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/stack.h"
-#include "runtime/library/sky.h"
+#include "compiler/library/sky.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* The answers of the checkers and of the maps with a texture (semantics.md 2.2, and VolumeChecker of 2.3). */
 #include "compiler/oracle/oracle_maps.h"
-#include "runtime/library/carpenter.h"
-#include "runtime/library/references.h"
+#include "compiler/library/carpenter.h"
+#include "compiler/library/references.h"
 
 double oracle_along_steps(const Stepped *map, const double q0[3], const double q[3])
 {

@@ -1,6 +1,6 @@
 /* Triplanar: what its maps see, and how much of each it is. */
 #include "compiler/oracle/oracle_maps.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 
 enum { AXES = 3, LANES = 4 };
 

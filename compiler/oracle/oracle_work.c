@@ -4,7 +4,7 @@
  * Of Smooth3D over VolumeTurbulence with 10 octaves (300 operations are for 5): 27 points, at each 3 answers of 100 steps and one
  * call of 3 * 300 * 10 / 5, 56,700 together. */
 #include "compiler/oracle/oracle_maps.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 
 enum {
     USUAL_COUNT = 5, /* octaves or steps in a function's cost in the tables */

@@ -3,7 +3,7 @@
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
 #include "matbench.h"
-#include "runtime/library/normal.h"
+#include "compiler/library/normal.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #include "matbench.h"
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
-#include "runtime/library/normal.h"
+#include "compiler/library/normal.h"
 #include "runtime/measure/meter.h"
 #include "runtime/measure/variant.h"
 #include <math.h>

@@ -110,7 +110,7 @@ vec2 cellsPlace2(vec2 cell, vec2 offset) {
 
 // The points nearest to d in a square, as (away, far); the second is known where `count` is 2. The 9 squares around are asked first. Points of ring r,
 // of squares that are r away, are at least r - |d - 1/2| - jitter/2 away along an axis: where that is no nearer than what was found, which is nearly
-// always for euclidean distances, the search ends; else those of its squares are asked that may have a nearer one. runtime/library/cells.h proves
+// always for euclidean distances, the search ends; else those of its squares are asked that may have a nearer one. compiler/library/cells.h proves
 // that none lies beyond ring 2.
 void cellsSearch2Visit(vec2 away, int metric, inout vec3 first, inout vec3 second) {
     float far = cellsFar2(away, metric);

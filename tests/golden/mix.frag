@@ -42,7 +42,7 @@ vec3 cellsPlace3(vec3 cell, vec3 offset) {
 
 // The points nearest to d in a cell, as (away, far); the second is known where `count` is 2. The 27 cells around are asked first. Points of ring r,
 // of cells that are r away, are at least r - |d - 1/2| - jitter/2 away along an axis: where that is no nearer than what was found, which is nearly
-// always for euclidean distances, the search ends; else those of its cells are asked that may have a nearer one. runtime/library/cells.h proves
+// always for euclidean distances, the search ends; else those of its cells are asked that may have a nearer one. compiler/library/cells.h proves
 // that none lies beyond ring 3.
 void cellsSearch3Visit(vec3 away, int metric, inout vec4 first, inout vec4 second) {
     float far = cellsFar3(away, metric);

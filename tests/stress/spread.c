@@ -2,7 +2,7 @@
  * vectors is 0 but for rounding, and what is made of a true 0 may be something else. */
 #include "spread.h"
 #include "choices.h"
-#include "runtime/library/references.h"
+#include "compiler/library/references.h"
 #include <float.h>
 #include <string.h>
 

@@ -6,7 +6,7 @@
 #include "runtime/draw/material.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/screen.h"
-#include "runtime/library/reference.h"
+#include "compiler/library/reference.h"
 
 enum {
     CALL_SIDE = 32,

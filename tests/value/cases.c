@@ -1,6 +1,6 @@
 /* tests/functions.def and the POINTS lines of grammar/maps.def as a table. */
 #include "cases.h"
-#include "runtime/library/java_random.h"
+#include "compiler/library/java_random.h"
 #include <math.h>
 
 #define POSITION(size, far)                                                                                            \

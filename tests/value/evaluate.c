@@ -1,6 +1,6 @@
 /* Textures and inputs for ir_eval. */
 #include "evaluate.h"
-#include "runtime/library/carpenter.h"
+#include "compiler/library/carpenter.h"
 #include <string.h>
 
 static const float *bake(Arena *arena, const IrTexture *t)

@@ -1,7 +1,7 @@
 /* The table of normal encodings, stored by the C references. */
 #include "normals.h"
-#include "runtime/library/normal.h"
-#include "runtime/library/pack.h"
+#include "compiler/library/normal.h"
+#include "compiler/library/pack.h"
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

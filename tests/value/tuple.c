@@ -1,7 +1,7 @@
 /* Random numbers in ranges, and the ones beside which functions break. */
 #include "tuple.h"
-#include "runtime/library/java_random.h"
-#include "runtime/library/sky.h"
+#include "compiler/library/java_random.h"
+#include "compiler/library/sky.h"
 #include <string.h>
 
 enum { HOSTILE = 4 /* one number in so many */, BORDERS = 8, AFFINE_VECTORS = 13, SKY_ROWS = 7 };

@@ -1,0 +1,208 @@
+/* Host program: text files -> C. embed OUTPUT SYMBOL FILE...
+ * With SYMBOL "chunk_table": library chunks as link.h has them; "library_table": files by their names, as grammar/library_table.h has them.
+ * Otherwise one string a file, `const char SYMBOL_<name>[]`. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    char *name, *text;
+} File;
+
+static char *read_all(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file || fseek(file, 0, SEEK_END))
+        return NULL;
+    long size = ftell(file);
+    rewind(file);
+    char *text = malloc((size_t)size + 1);
+    if (!text || fread(text, 1, (size_t)size, file) != (size_t)size)
+        return NULL;
+    text[size] = 0;
+    fclose(file);
+    return text;
+}
+
+/* "a/b/wood.glsl" -> "wood", which is all up to the last dot */
+static char *chunk_name(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path;
+    size_t size = (size_t)(strrchr(start, '.') - start);
+    char *name = calloc(1, size + 1);
+    if (name)
+        memcpy(name, start, size);
+    return name;
+}
+
+static int by_name(const void *a, const void *b) { return strcmp(((const File *)a)->name, ((const File *)b)->name); }
+
+static void put_string(FILE *out, const char *text, size_t size)
+{
+    fputs("\"", out);
+    for (size_t i = 0; i < size; i++)
+        if (text[i] == '\n')
+            fputs("\\n\"\n    \"", out);
+        else
+            fprintf(out, text[i] == '"' || text[i] == '\\' ? "\\%c" : "%c", text[i]);
+    fputs("\"", out);
+}
+
+static int is_uniform(const char *line) { return !strncmp(line, "uniform ", 8); }
+
+static const char *line_end(const char *line)
+{
+    const char *end = strchr(line, '\n');
+    return end ? end + 1 : line + strlen(line);
+}
+
+/* Lines that declare uniforms: "uniform highp sampler2D name;" as {"highp sampler2D", "name", true}. */
+static void put_uniforms(FILE *out, const char *text)
+{
+    fputs("(const ChunkUniform[]){", out);
+    for (const char *line = text; *line; line = line_end(line)) {
+        if (!is_uniform(line))
+            continue;
+        const char *type = line + 8, *stop = strchr(line, ';'), *name = stop, *sampler = strstr(type, "sampler");
+        while (name[-1] != ' ')
+            name--;
+        fprintf(out, "{\"%.*s\", \"%.*s\", %s}, ", (int)(name - 1 - type), type, (int)(stop - name), name,
+                sampler && sampler < name ? "true" : "false");
+    }
+    fputs("{0}}", out);
+}
+
+/* All other lines. */
+static char *without_uniforms(const char *text)
+{
+    char *rest = calloc(1, strlen(text) + 1), *to = rest;
+    for (const char *line = text, *end; rest && *line; line = end) {
+        end = line_end(line);
+        if (is_uniform(line))
+            continue;
+        memcpy(to, line, (size_t)(end - line));
+        to += end - line;
+    }
+    return rest;
+}
+
+static int put_chunk(FILE *out, const File *file)
+{
+    static const char tag[] = "// needs:";
+    if (strncmp(file->text, tag, sizeof tag - 1) != 0) {
+        fprintf(stderr, "embed: %s.glsl does not begin with `%s`\n", file->name, tag);
+        return 0;
+    }
+    const char *needs = file->text + sizeof tag - 1, *body = line_end(file->text);
+    needs += strspn(needs, " ");
+    char *rest = without_uniforms(body);
+    fprintf(out, "    {\"%s\", ", file->name);
+    put_string(out, needs, strcspn(needs, "\n"));
+    fputs(",\n    ", out);
+    put_uniforms(out, body);
+    fputs(",\n    ", out);
+    put_string(out, rest, strlen(rest));
+    fputs("},\n", out);
+    free(rest);
+    return 1;
+}
+
+static int put_chunks(FILE *out, const File *files, int count)
+{
+    int fine = 1;
+    fputs("#include \"compiler/library/chunk.h\"\nconst Chunk chunk_table[] = {\n", out);
+    for (int i = 0; i < count; i++)
+        fine &= put_chunk(out, &files[i]);
+    fputs("};\nconst int chunk_count = sizeof chunk_table / sizeof *chunk_table;\n", out);
+    return fine;
+}
+
+/* "    doc: A wall." or "    doc: \"A wall.\"": the sentence; tests/test_shipped.c compares it with what YAML reads. */
+static void put_doc(FILE *out, const char *line)
+{
+    static const char key[] = "    doc: ";
+    const char *start = line, *end = line;
+    if (!strncmp(line, key, sizeof key - 1)) {
+        start = line + sizeof key - 1;
+        end = start + strcspn(start, "\n");
+        if (*start == '"' && end > start + 1) {
+            start++;
+            end--;
+        }
+    }
+    put_string(out, start, (size_t)(end - start));
+}
+
+/* The keys under `defs:`, which stand two columns in. */
+static void put_names(FILE *out, const File *file)
+{
+    const char *defs = strstr(file->text, "\ndefs:\n");
+    for (const char *line = defs ? defs + 1 : ""; *line; line = line_end(line)) {
+        const size_t size = strcspn(line, ":\n");
+        if (strncmp(line, "  ", 2) != 0 || line[2] == ' ' || line[2] == '#' || line[size] != ':')
+            continue;
+        fprintf(out, "    {\"%.*s\", \"%s.yaml\", ", (int)size - 2, line + 2, file->name);
+        put_doc(out, line_end(line));
+        fputs("},\n", out);
+    }
+}
+
+static void put_library(FILE *out, const File *files, int count)
+{
+    fputs("#include \"grammar/library_table.h\"\nconst LibraryFile library_table[] = {\n", out);
+    for (int i = 0; i < count; i++) {
+        fprintf(out, "    {\"%s.yaml\", ", files[i].name);
+        put_string(out, files[i].text, strlen(files[i].text));
+        fputs("},\n", out);
+    }
+    fputs("};\nconst int library_count = sizeof library_table / sizeof *library_table;\n", out);
+    fputs("const LibraryName library_names[] = {\n", out);
+    for (int i = 0; i < count; i++)
+        put_names(out, &files[i]);
+    fputs("};\nconst int library_name_count = sizeof library_names / sizeof *library_names;\n", out);
+}
+
+static int write_output(FILE *out, const char *symbol, const File *files, int count)
+{
+    fputs("/* Made by compiler/gen/embed.c. */\n", out);
+    if (!strcmp(symbol, "chunk_table"))
+        return put_chunks(out, files, count);
+    if (!strcmp(symbol, "library_table")) {
+        put_library(out, files, count);
+        return 1;
+    }
+    for (int i = 0; i < count; i++) {
+        fprintf(out, "extern const char %s_%s[];\nconst char %s_%s[] = ", symbol, files[i].name, symbol, files[i].name);
+        put_string(out, files[i].text, strlen(files[i].text));
+        fputs(";\n", out);
+    }
+    return 1;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 4) {
+        fputs("usage: embed OUTPUT SYMBOL FILE...\n", stderr);
+        return 2;
+    }
+    int count = argc - 3;
+    File *files = calloc((size_t)count, sizeof *files);
+    for (int i = 0; i < count; i++) {
+        files[i] = (File){chunk_name(argv[i + 3]), read_all(argv[i + 3])};
+        if (!files[i].name || !files[i].text) {
+            fprintf(stderr, "embed: cannot read %s\n", argv[i + 3]);
+            return 1;
+        }
+    }
+    qsort(files, (size_t)count, sizeof *files, by_name);
+    FILE *out = fopen(argv[1], "w");
+    int fine = out && write_output(out, argv[2], files, count);
+    if (out && fclose(out))
+        fine = 0;
+    for (int i = 0; i < count; i++) {
+        free(files[i].name);
+        free(files[i].text);
+    }
+    free(files);
+    return fine ? 0 : 1;
+}

@@ -1,0 +1,170 @@
+/* Means over boxes, from antiderivatives in double precision. Arguments: the place, the box's edge. */
+#include "compiler/library/reference.h"
+
+typedef double Wave(double v);
+
+static const double NARROW =
+    1e-9; /* edges up to here are none: in double the difference of two integrals has no digits */
+static const double POINT =
+    1e-6; /* edges up to here are none to a wave that jumps: in GLSL the distance to the jump has no digits */
+
+/* A wave of period 1 and its antiderivative over [0, 1], from 0. */
+typedef struct {
+    Wave *wave, *integral;
+} Periodic;
+
+static double integral_to(const Periodic *p, double v) { return floor(v) * p->integral(1) + p->integral(fraction(v)); }
+
+static double box_mean(const Periodic *p, double v, double edge)
+{
+    double t = fraction(v);
+    return edge <= NARROW ? p->wave(t) : (integral_to(p, t + edge / 2) - integral_to(p, t - edge / 2)) / edge;
+}
+
+static double stripe(double v) { return fraction(v) < .5 ? 1 : -1; }
+static double ramp(double t) { return 2 * t - 1; }
+static double ramp_integral(double t) { return t * (t - 1); }
+static double cubic(double t) { return t * t * (6 - 4 * t) - 1; }
+static double cubic_integral(double t) { return t * (t * t * (2 - t) - 1); }
+static double triangle(double t) { return fabs(4 * fraction(t - .25) - 2) - 1; }
+static double triangle_integral(double t)
+{
+    return t < .25 ? 2 * t * t : t < .75 ? .25 - 2 * (t - .5) * (t - .5) : 2 * (t - 1) * (t - 1);
+}
+static double scallop(double t) { return 2 * sin(M_PI * t) - 1; }
+static double scallop_integral(double t) { return 2 / M_PI * (1 - cos(M_PI * t)) - t; }
+
+/* Exact: the antiderivative of the stripes is a triangle of period 1. */
+static double stripe_mean(double v, double edge)
+{
+    double a = v - edge / 2, b = v + edge / 2;
+    if (edge <= POINT)
+        return v < .5 ? 1 : -1; /* 1 is what rounding makes of the numbers below it */
+    return (fabs(fraction(a) - .5) - fabs(fraction(b) - .5)) / edge;
+}
+
+static void stripes(const double *args, int lanes, double *result)
+{
+    for (int i = 0; i < lanes; i++)
+        result[i] = stripe_mean(args[i], args[lanes + i]);
+}
+
+static void rates(const double *args, int lanes, double *result)
+{
+    for (int i = 0; i < lanes; i++) {
+        double v = args[i], edge = args[lanes + i];
+        result[i] = edge <= POINT ? 0 : (stripe(v + edge / 2) - stripe(v - edge / 2)) / edge;
+    }
+}
+
+REFERENCE(stripes2) { (void)context, stripes(args, 2, result); }
+REFERENCE(stripes3) { (void)context, stripes(args, 3, result); }
+static double stripes_along(const double *args, int lanes)
+{
+    double sum = 0;
+    for (int i = 0; i < 4; i++) {
+        double product = 1;
+        for (int lane = 0; lane < lanes; lane++)
+            product *= stripe_mean(args[lane] + ((i + .5) / 4 - .5) * args[lanes + lane], args[2 * lanes + lane]);
+        sum += product / 4;
+    }
+    return sum;
+}
+
+/* Of the four boxes, one of whose factors changes. */
+static void stripes_along_rate(const double *args, int lanes, double *result)
+{
+    for (int by = 0; by < lanes; by++)
+        result[by] = 0;
+    for (int i = 0; i < 4; i++) {
+        double box[6], mean[3], rate[3];
+        for (int lane = 0; lane < lanes; lane++) {
+            box[lane] = args[lane] + ((i + .5) / 4 - .5) * args[lanes + lane];
+            box[lanes + lane] = args[2 * lanes + lane];
+        }
+        stripes(box, lanes, mean);
+        rates(box, lanes, rate);
+        for (int by = 0; by < lanes; by++) {
+            double product = rate[by] / 4;
+            for (int lane = 0; lane < lanes; lane++)
+                product *= lane == by ? 1 : mean[lane];
+            result[by] += product;
+        }
+    }
+}
+
+REFERENCE(stripesAlong2) { (void)context, result[0] = stripes_along(args, 2); }
+REFERENCE(stripesAlong3) { (void)context, result[0] = stripes_along(args, 3); }
+REFERENCE(stripesAlongRate2) { (void)context, stripes_along_rate(args, 2, result); }
+REFERENCE(stripesAlongRate3) { (void)context, stripes_along_rate(args, 3, result); }
+REFERENCE(stripesRate2) { (void)context, rates(args, 2, result); }
+REFERENCE(stripesRate3) { (void)context, rates(args, 3, result); }
+
+REFERENCE(sincMean)
+{
+    (void)context;
+    double h = args[0] / 2;
+    result[0] = fabs(h) < 1e-9 ? 1 : sin(h) / h;
+}
+
+/* Waves that jump: a narrow box is the point, as in GLSL. */
+static double jump_mean(const Periodic *p, double v, double edge)
+{
+    return edge <= POINT ? p->wave(fraction(v)) : box_mean(p, v, edge);
+}
+
+REFERENCE(rampMean) { (void)context, result[0] = jump_mean(&(Periodic){ramp, ramp_integral}, args[0], args[1]); }
+REFERENCE(cubicMean) { (void)context, result[0] = jump_mean(&(Periodic){cubic, cubic_integral}, args[0], args[1]); }
+REFERENCE(triangleMean)
+{
+    (void)context, result[0] = box_mean(&(Periodic){triangle, triangle_integral}, args[0], args[1]);
+}
+REFERENCE(scallopMean)
+{
+    (void)context, result[0] = box_mean(&(Periodic){scallop, scallop_integral}, args[0], args[1]);
+}
+
+/* The difference of a wave at a box's ends over its edge; of a box that is the point, the slope there. */
+static double end_rate(Wave *wave, Wave *slope, const double *args, double point)
+{
+    double t = fraction(args[0]), edge = args[1];
+    return edge <= point ? slope(t) : (wave(fraction(t + edge / 2)) - wave(fraction(t - edge / 2))) / edge;
+}
+
+static double ramp_slope(double t)
+{
+    (void)t;
+    return 2;
+}
+static double cubic_slope(double t) { return 12 * t * (1 - t); }
+static double triangle_slope(double t) { return t == .25 || t == .75 ? 0 : t < .25 || t > .75 ? 4 : -4; }
+static double scallop_slope(double t) { return 2 * M_PI * cos(M_PI * t); }
+
+REFERENCE(rampRate) { (void)context, result[0] = end_rate(ramp, ramp_slope, args, POINT); }
+REFERENCE(cubicRate) { (void)context, result[0] = end_rate(cubic, cubic_slope, args, POINT); }
+REFERENCE(triangleRate) { (void)context, result[0] = end_rate(triangle, triangle_slope, args, NARROW); }
+REFERENCE(scallopRate) { (void)context, result[0] = end_rate(scallop, scallop_slope, args, NARROW); }
+
+/* Arguments: root, then columns and offset, each as three numbers that are added. */
+static double affine(const double *args, int lane)
+{
+    double sum = 0;
+    for (int column = 0; column < 4; column++)
+        for (int part = 0; part < 3; part++)
+            sum += args[3 + 9 * column + 3 * part + lane] * (column < 3 ? args[column] : 1);
+    return sum;
+}
+
+REFERENCE(affineWhole)
+{
+    (void)context;
+    for (int i = 0; i < 3; i++)
+        result[i] = floor(affine(args, i) + .5);
+}
+
+REFERENCE(affineFraction)
+{
+    (void)context;
+    for (int i = 0; i < 3; i++)
+        result[i] = affine(args, i) - floor(affine(args, i) + .5);
+}
