@@ -62,7 +62,7 @@ void batch_make_layout(Batch *b)
         return;
     matc_ranges_init(&b->ranges);
     batch_phase(b, open_to_measure, measure_material, close_measured);
-    b->layout = matc_layout_for(&b->ranges, layout_error(b->line), &b->options);
+    b->layout = matc_layout_for(&b->ranges, b->line->layout_error, &b->options);
     if (matc_layout_ok(b->layout)) {
         b->options.custom = b->layout;
         if (b->line->stats)

@@ -68,8 +68,6 @@ static bool add_document(MatcRanges *ranges, const CommandLine *line, const char
     return !*fault;
 }
 
-double layout_error(const CommandLine *line) { return options_number(line->layout_error, 0); }
-
 static MatcLayout *make_auto(const CommandLine *line, char **fault)
 {
     MatcRanges ranges;
@@ -82,7 +80,7 @@ static MatcLayout *make_auto(const CommandLine *line, char **fault)
         if (!add_document(&ranges, line, line->inputs[i], fault))
             return NULL;
     }
-    return matc_layout_for(&ranges, layout_error(line), &line->compile);
+    return matc_layout_for(&ranges, line->layout_error, &line->compile);
 }
 
 MatcLayout *layout_open(const CommandLine *line, char **fault)

@@ -188,12 +188,6 @@ static int print_cache(const CommandLine *line)
     return FINE;
 }
 
-static const char *gl_name(const void *user, int i)
-{
-    (void)user;
-    return i ? "egl" : "osmesa";
-}
-
 static const char *schema_name(const void *user, int i)
 {
     static const char *const names[] = {"document", "layout", "manifest", "reflection"};
@@ -204,8 +198,6 @@ static const char *schema_name(const void *user, int i)
 static int check_usage(CommandLine *line)
 {
     const char *fault = options_check(line);
-    if (!fault && line->gl && !gl_kind_find(line->gl, &(GlKind){0}))
-        fault = options_fault_value(&line->words, "--gl", line->gl, &(NameChoice){gl_name, NULL, 2});
     return fault ? main_usage(line, fault) : FINE;
 }
 
@@ -292,7 +284,7 @@ int main(int argc, char **argv)
         status = answer_of_documents(&line);
     else if (line.schema)
         status = answer(&line, matc_schema(line.schema),
-                        options_fault_value(&line.words, "--schema", line.schema, &(NameChoice){schema_name, NULL, 4}));
+                        option_fault_value(&line.words, "--schema", line.schema, &(NameChoice){schema_name, NULL, 4}));
     else if (line.list)
         status = print_list(&line);
     else if (line.explain && layout_is_file(line.explain))

@@ -37,16 +37,16 @@ static void show_measuring(void *user, int done, int total)
     arena_free(&arena);
 }
 
-/* What is measured; check_usage has seen the numbers. */
+/* What is measured. */
 static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material, Shown *shown)
 {
-    ParetoSubject subject = {document,       material,
-                             GL_KIND_osmesa, options_number(line->range, measure_range),
-                             line->output,   isatty(STDERR_FILENO) ? show_measuring : NULL,
-                             shown};
-    if (line->gl)
-        gl_kind_find(line->gl, &subject.gl);
-    return subject;
+    return (ParetoSubject){document,
+                           material,
+                           line->gl,
+                           line->range > 0 ? line->range : measure_range,
+                           line->output,
+                           isatty(STDERR_FILENO) ? show_measuring : NULL,
+                           shown};
 }
 
 /* A material that does not compile as it was asked for says why, and is not measured. */
@@ -72,7 +72,7 @@ int main_choose(const CommandLine *line, const MatcDocument *document, int mater
         return FAULT;
     Shown shown = {0};
     ParetoSubject subject = subject_of(line, document, material, &shown);
-    bool chosen = pareto_choose(&subject, options_number(line->max_error, 0), options, &answer);
+    bool chosen = pareto_choose(&subject, line->max_error, options, &answer);
     fputs(progress_erase(&shown.last), stderr);
     if (!chosen)
         return main_complain(line, "--max-error", answer.error);
@@ -146,7 +146,7 @@ static void complain_of_material(const CommandLine *line, const MatcDocument *do
 {
     Arena arena = {0};
     const NameChoice names = {material_name, document, matc_material_count(document)};
-    main_complain(line, NULL, options_fault_value(&arena, "--material", line->material, &names));
+    main_complain(line, NULL, option_fault_value(&arena, "--material", line->material, &names));
     arena_free(&arena);
 }
 

@@ -1,15 +1,16 @@
-/* The command line: one table of options. */
-#include "compiler/tool/options_fault.h"
-#include "compiler/base/memory.h"
-#include "compiler/tool/options_input.h"
-#include "compiler/choice.h"
+/* matc's command line: the table of its options, and --help from it. */
 #include "compiler/base/file.h"
+#include "compiler/base/memory.h"
+#include "compiler/base/option.h"
 #include "compiler/base/queue.h"
-#include "compiler/base/suggest.h"
 #include "compiler/base/warnings.h"
-#include "compiler/base/text.h"
-#include <stddef.h>
+#include "compiler/choice.h"
+#include "compiler/tool/options_fault.h"
+#include "runtime/gl/context.h"
+#include <float.h>
+#include <limits.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,122 +33,48 @@ const EmitRow emit_table[EMIT_COUNT] = {
     {"tree", ".tree", 0, NULL},
 };
 
-typedef enum {
-    TAKES_text,
-    TAKES_compile,
-    TAKES_flag,
-    TAKES_emit,
-    TAKES_form,
-    TAKES_novalidate,
-    TAKES_maybe,
-    TAKES_warning,
-    TAKES_folder
-} Takes;
-typedef struct {
-    const char *name;
-    Takes takes;
-    size_t member;
-    const char *otherwise; /* of what may have a value: the one it has without */
-} Option;
-
-#define TEXT(name, member)                                                                                             \
-    {                                                                                                                  \
-        name, TAKES_text, offsetof(CommandLine, member), NULL                                                          \
-    }
-#define FLAG(name, member)                                                                                             \
-    {                                                                                                                  \
-        name, TAKES_flag, offsetof(CommandLine, member), NULL                                                          \
-    }
-static const Option options[] = {
-    TEXT("-o", output),
-    TEXT("-d", folder),
-    TEXT("-j", jobs),
-    TEXT("--cache", cache),
-    TEXT("--cache-limit", cache_size),
-    FLAG("--cache-stats", cache_stats),
-    FLAG("-MD", depend),
-    TEXT("-MF", depfile),
-    TEXT("-MT", target),
-    {"--target", TAKES_compile, 0, NULL},
-    {"--pass", TAKES_compile, 0, NULL},
-    {"--slot", TAKES_compile, 0, NULL},
-    {"--layout", TAKES_compile, 0, NULL},
-    {"--normals", TAKES_compile, 0, NULL},
-    {"--precision", TAKES_compile, 0, NULL},
-    {"--constants", TAKES_compile, 0, NULL},
-    {"--noise", TAKES_compile, 0, NULL},
-    {"--aa", TAKES_compile, 0, NULL},
-    {"--derivatives", TAKES_compile, 0, NULL},
-    {"--coordinates", TAKES_compile, 0, NULL},
-    {"--powers", TAKES_compile, 0, NULL},
-    {"--trigonometry", TAKES_compile, 0, NULL},
-    TEXT("--layout-error", layout_error),
-    TEXT("--cases", cases),
-    TEXT("--material", material),
-    TEXT("--eval", eval),
-    TEXT("--explain", explain),
-    TEXT("--textures", textures),
-    TEXT("--max-error", max_error),
-    TEXT("--range", range),
-    TEXT("--gl", gl),
-    FLAG("--pareto", pareto),
-    {"--emit", TAKES_emit, 0, NULL},
-    {"--diagnostics", TAKES_form, 0, NULL},
-    {"--no-validate", TAKES_novalidate, 0, NULL},
-    {"-W", TAKES_warning, 0, NULL},
-    {"-I", TAKES_folder, 0, NULL},
-    TEXT("--root", compile.root),
-    FLAG("--check", compile.check),
-    {"--list", TAKES_maybe, offsetof(CommandLine, list), ""},
-    {"--schema", TAKES_maybe, offsetof(CommandLine, schema), OPTIONS_SCHEMA},
-    FLAG("--stats", stats),
-    FLAG("--watch", watch),
-    FLAG("--help", help),
-    FLAG("-h", help),
-    FLAG("--version", version),
-};
-enum { OPTION_COUNT = sizeof options / sizeof *options };
-
 static const char *emit_name(const void *user, int i)
 {
     (void)user;
     return emit_table[i].name;
 }
 
-static const char *form_name(const void *user, int i)
+static const char *gl_name(const void *user, int i)
 {
     (void)user;
-    return i ? "json" : "text";
+    return gl_kind_name((GlKind)i);
 }
 
-static const char *option_name(const void *user, int i)
+/* -- values that the table's kinds do not know */
+
+static const char *set_choice(void *to, const Option *option, const char *value)
 {
+    CommandLine *line = to;
+    choice_set(&line->compile, option->name + 2, value); /* options_check looks at it */
+    return NULL;
+}
+
+static const char *level_name(const void *user, int i)
+{
+    static const char *const names[] = {"0", "1", "2"};
     (void)user;
-    return options[i].name;
+    return names[i];
 }
 
-static bool read_emit(CommandLine *line, const char *list, const char **fault)
+/* "-O", "-O0" to "-O3", "-Os" */
+static const char *set_level(void *to, const Option *option, const char *level)
 {
-    memset(line->emit, 0, sizeof line->emit);
-    line->emit_named = true;
-    for (size_t size; *list; list += size + (list[size] == ',')) {
-        size = strcspn(list, ",");
-        int i = 0;
-        while (i < EMIT_COUNT && (strlen(emit_table[i].name) != size || strncmp(emit_table[i].name, list, size) != 0))
-            i++;
-        if (i == EMIT_COUNT) {
-            const char *word = arena_string(&line->words, list, size);
-            *fault = options_fault_value(&line->words, "--emit", word, &(NameChoice){emit_name, NULL, EMIT_COUNT});
-            return false;
-        }
-        line->emit[i] = true;
-    }
-    return true;
+    CommandLine *line = to;
+    if (level && (!level[0] || level[1] || !strchr("0123s", level[0])))
+        return option_fault_value(&line->words, option->name, level, &(NameChoice){level_name, NULL, 3});
+    line->compile.optimize = level && (level[0] == '0' || level[0] == '1') ? level[0] - '0' : 2;
+    return NULL;
 }
 
 /* "-Wno-a -Werror": "no-a,error" */
-static bool add_warning(CommandLine *line, const char *setting, const char **fault)
+static const char *add_warning(void *to, const Option *option, const char *setting)
 {
+    CommandLine *line = to;
     const char *before = line->compile.warnings;
     size_t size;
     Text all = text_new(&line->words);
@@ -155,121 +82,211 @@ static bool add_warning(CommandLine *line, const char *setting, const char **fau
     line->compile.warnings = all.at;
     const char *wrong = warnings_fault(setting, &size);
     if (!wrong)
-        return true;
+        return NULL;
     const char *name = strrchr(wrong, '=') ? strrchr(wrong, '=') + 1 : strncmp(wrong, "no-", 3) ? wrong : wrong + 3;
-    *fault = options_fault_warning(&line->words, name);
-    return false;
+    return option_fault_value(&line->words, option->name, name, &(NameChoice){warnings_name, NULL, DIAG_COUNT});
 }
 
-static void add_folder(CommandLine *line, const char *folder)
+static void add_input(CommandLine *line, const char *path)
 {
-    const char **folders = ARENA_ARRAY(&line->words, const char *, line->compile.include_count + 1);
-    for (int i = 0; i < line->compile.include_count; i++)
-        folders[i] = line->compile.include[i];
-    folders[line->compile.include_count++] = folder;
-    line->compile.include = folders;
-}
-
-static bool set_option(CommandLine *line, const Option *option, const char *value, const char **fault)
-{
-    char *member = (char *)line + option->member;
-    switch (option->takes) {
-    case TAKES_text:
-        *(const char **)(void *)member = value;
-        return true;
-    case TAKES_maybe:
-        *(const char **)(void *)member = value ? value : option->otherwise;
-        return true;
-    case TAKES_compile:
-        return choice_set(&line->compile, option->name + 2, value); /* options_check looks at it */
-    case TAKES_flag:
-        *(bool *)member = true;
-        return true;
-    case TAKES_novalidate:
-        line->compile.validate = false;
-        return true;
-    case TAKES_emit:
-        return read_emit(line, value, fault);
-    case TAKES_folder:
-        add_folder(line, value);
-        return true;
-    case TAKES_warning:
-        return add_warning(line, value, fault);
-    case TAKES_form:
-        line->diagnostics = !strcmp(value, "json") ? MATC_JSON : MATC_TEXT;
-        *fault = options_fault_value(&line->words, "--diagnostics", value, &(NameChoice){form_name, NULL, 2});
-        return !strcmp(value, "json") || !strcmp(value, "text");
+    enum { STEP = 256 };
+    if (line->input_count % STEP == 0) {
+        line->inputs = realloc(line->inputs, sizeof *line->inputs * (size_t)(line->input_count + STEP));
+        if (!line->inputs)
+            memory_exhausted();
     }
-    return false;
+    line->inputs[line->input_count++] = path;
 }
 
-static bool takes_value(const Option *option)
+/* Reads "@FILE": documents, a path a line. */
+static const char *read_list(CommandLine *line, const char *path)
 {
-    return option->takes == TAKES_text || option->takes == TAKES_compile || option->takes == TAKES_emit ||
-           option->takes == TAKES_form || option->takes == TAKES_maybe || option->takes == TAKES_warning ||
-           option->takes == TAKES_folder;
-}
-
-static const char *lacks_value(CommandLine *line, const Option *option)
-{
-    Text out = text_new(&line->words);
-    NameChoice values;
-    text_format(&out, "%s wants a value", option->name);
-    if (option->takes == TAKES_compile && options_fault_values(option->name + 2, &values))
-        text_format(&out, ": %s", suggest_list(&line->words, &values));
-    return out.at;
-}
-
-static const char *unknown_option(CommandLine *line, const char *arg)
-{
-    const char *name = arena_string(&line->words, arg, strcspn(arg, "="));
-    Text out = text_new(&line->words);
-    if (!strncmp(arg, "-O", 2))
-        return options_fault_level(&line->words, arg + 2);
-    for (int i = 0; i < OPTION_COUNT; i++)
-        if (!strcmp(options[i].name, name)) {
-            text_format(&out, "%s takes no value", name);
-            return out.at;
-        }
-    text_format(&out, "there is no option '%s'%s", name, suggest(&line->words, name, option_name, NULL, OPTION_COUNT));
-    return out.at;
-}
-
-/* "--name value", "--name=value", and "-oFILE" as compilers have it. */
-static bool read_option(CommandLine *line, char **argv, int *i, const char **fault)
-{
-    const char *arg = argv[*i];
-    for (int k = 0; k < OPTION_COUNT; k++) {
-        const Option *option = &options[k];
-        size_t size = strlen(option->name);
-        if (strncmp(arg, option->name, size) != 0)
-            continue;
-        if (!arg[size] && (!takes_value(option) || option->takes == TAKES_maybe))
-            return set_option(line, option, NULL, fault);
-        if (!takes_value(option))
-            continue;
-        if (!arg[size] && !argv[*i + 1]) {
-            *fault = lacks_value(line, option);
-            return false;
-        }
-        if (!arg[size])
-            return set_option(line, option, argv[++*i], fault);
-        if (arg[size] == '=' && size > 2)
-            return set_option(line, option, arg + size + 1, fault);
-        if (size == 2)
-            return set_option(line, option, arg + size, fault);
+    size_t size;
+    const char *why;
+    char *text = file_read_named(path, &size, &why);
+    if (!text) {
+        Text out = text_new(&line->words);
+        text_format(&out, "@%s: %s", path, why);
+        return out.at;
     }
-    *fault = unknown_option(line, arg);
-    return false;
+    line->lists = realloc(line->lists, sizeof *line->lists * (size_t)(line->list_count + 1));
+    line->list_texts = realloc(line->list_texts, sizeof *line->list_texts * (size_t)(line->list_count + 1));
+    if (!line->lists || !line->list_texts)
+        memory_exhausted();
+    line->lists[line->list_count] = path;
+    line->list_texts[line->list_count++] = text;
+    for (char *at = text, *end; *at; at = end) {
+        size_t length = strcspn(at, "\r\n");
+        end = at + length + (at[length] != 0);
+        at[length] = 0;
+        if (length && *at != '#')
+            add_input(line, at);
+    }
+    return NULL;
 }
 
-static bool read_level(CommandLine *line, const char *arg)
+static const char *take_input(void *to, const char *argument, bool literal)
 {
-    if (strncmp(arg, "-O", 2) != 0 || (arg[2] && arg[3]) || !strchr("0123s", arg[2]))
-        return false; /* strchr finds the end of "-O" too */
-    line->compile.optimize = arg[2] == '0' || arg[2] == '1' ? arg[2] - '0' : 2;
-    return true;
+    if (!literal && argument[0] == '@')
+        return read_list(to, argument + 1);
+    add_input(to, argument);
+    return NULL;
 }
+
+/* -- names of the tables in --help */
+
+/* ", name", or "name" as the first of a list; ` (default)` behind the default. */
+static void put_name(Text *out, bool first, const char *name, bool is_default)
+{
+    text_format(out, "%s%s%s", first ? "" : ", ", name, is_default ? " (default)" : "");
+}
+
+/* The target whose default the layout is, but for the default target; NULL: it is none's. */
+static const char *default_of(int layout)
+{
+    for (int i = 0; i < TARGET_COUNT; i++)
+        if (i != TARGET_DEFAULT && target_table[i].layout == layout)
+            return target_table[i].name;
+    return NULL;
+}
+
+/* The default, then those of other targets, then the rest. */
+static void put_layouts(Text *out)
+{
+    const int first = target_table[TARGET_DEFAULT].layout;
+    put_name(out, true, layout_table[first].name, true);
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        if (i != first && default_of(i))
+            text_format(out, ", %s (default of %s)", layout_table[i].name, default_of(i));
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        if (i != first && !default_of(i))
+            put_name(out, false, layout_table[i].name, false);
+}
+
+static void put_targets(Text *out)
+{
+    for (int i = 0; i < TARGET_COUNT; i++)
+        put_name(out, i == 0, target_table[i].name, i == TARGET_DEFAULT);
+}
+
+static void put_passes(Text *out)
+{
+    for (int i = 0; i < PASS_COUNT; i++)
+        put_name(out, i == 0, pass_table[i].name, i == PASS_gbuffer);
+}
+
+/* -- the table */
+
+#define AT(member)                  offsetof(CommandLine, member)
+#define HEADING(text)               {NULL, OPTION_heading, .help = text}
+#define TEXT(name, member, ...)     {name, OPTION_text, AT(member), ROW_HELP(__VA_ARGS__)}
+#define FLAG(name, member, ...)     {name, OPTION_flag, AT(member), ROW_HELP(__VA_ARGS__)}
+#define CHOICE(name, ...)           {name, OPTION_text, .set = set_choice, ROW_HELP(__VA_ARGS__)}
+#define ROW_HELP(label_, help_)     .label = label_, .help = help_
+static const Option options[] = {
+    HEADING("usage: matc [options] document...\n\n"
+            "Compiles material trees (YAML, JSON; - is standard input) to GLSL.\n\noutput\n"),
+    TEXT("-o", output, " FILE",
+         "write there; - and the default are standard output. A suffix selects the\n"
+         "output, .spv SPIR-V, where no option does"),
+    TEXT("-d", folder, " DIR",
+         "write NAME.frag and so on there, for all materials of all documents, each program "
+         "once,\nand manifest.json, which says what uses which; several passes may be named"),
+    {"-j", OPTION_int, AT(threads), .min = 1, .max = MOST_THREADS, .clamped = true,
+     .wants = "-j wants a number of threads, from 1 on", .label = " N",
+     .help = "by so many threads; all processors without it"},
+    HEADING("  @FILE                documents named in a file, one a line; a line that begins "
+            "with # is none\n"),
+    TEXT("--cache", cache, " DIR",
+         "with -d: keep there what the next run can use; MATC_CACHE says the same"),
+    {"--cache-limit", OPTION_int, AT(cache_limit), .min = 1, .max = INT_MAX, .clamped = true,
+     .wants = "--cache-limit wants a number of MiB, from 1 on", .label = "=MIB",
+     .help = "of the folder: 1024; the least recently used goes first"},
+    FLAG("--cache-stats", cache_stats, NULL, "what the cache holds and how often it helped"),
+    {"--emit", OPTION_set, AT(emit), .words = {emit_name, NULL, EMIT_COUNT}, .label = "=LIST",
+     .help = "glsl (default), vertex, tessvertex, tesscontrol, tesseval,\n"
+             "geometryvertex, geometry, compute, displace, unpack, reflect, layout,\n"
+             "spirv, ir, dot, tree; several need -d. Of --target=spirv all stages are SPIR-V"},
+    TEXT("--textures", textures, " DIR", "write the textures that matc makes there, as KTX"),
+    FLAG("--watch", watch, NULL,
+         "with -o or -d: stay, and do it again whenever a file changes that it was made from"),
+    {"-I", OPTION_list, AT(compile.include), AT(compile.include_count), .label = " DIR",
+     .help = "where `include:` looks for files that are not beside the document; after that, "
+             "among\nthose that come with matc"},
+    TEXT("--root", compile.root, "=DIR",
+         "read nothing outside DIR that a document names, links resolved: for documents of others"),
+    FLAG("-MD", depend, ", -MF FILE, -MT T",
+         "write a depfile for make and ninja; its name; its target"),
+    TEXT("-MF", depfile, NULL, NULL),
+    TEXT("-MT", target, NULL, NULL),
+    HEADING("program\n"),
+    {"--target", OPTION_text, 0, .set = set_choice, .label = "=T", .put_help = put_targets,
+     .help = ""},
+    {"--pass", OPTION_text, 0, .set = set_choice, .label = "=P", .put_help = put_passes,
+     .help = ""},
+    CHOICE("--slot", "=S", "for --pass=value: diffuse (default), normal, specular, ..."),
+    {"--layout", OPTION_text, 0, .set = set_choice, .label = "=L", .put_help = put_layouts,
+     .help = "; a file;\n"
+             "auto: the smallest that holds all materials given. --explain L shows its fields"},
+    {"--layout-error", OPTION_real, AT(layout_error), .min = DBL_TRUE_MIN, .max = 0.5,
+     .wants = "--layout-error wants a number above 0, of at most 0.5", .label = "=E",
+     .help = "of auto: what a colour's square root may be off (0.00196), other slots in "
+             "proportion"},
+    {"--cases", OPTION_word, AT(cases), .words = OPTION_WORDS("used", OPTIONS_CASES_ALL),
+     .label = "=C",
+     .help = "with -d, what the unpacking text reads of the layout: used (default), the cases "
+             "that the\nmaterials write; all, so that it holds for materials that come later"},
+    CHOICE("--normals", "=N", "of a G-buffer: of eye space (default) or the world"),
+    CHOICE("--precision", "=P",
+           "fast (default), balanced, exact: sets the next four; each can still be named"),
+    CHOICE("--constants", "=C",
+           "baked, uniform: numbers of the document come from a uniform block; auto (default): "
+           "with -d,\nthose in which materials that can share a program differ"),
+    CHOICE("--noise", "=N", "lattice (default), groimp, simplex"),
+    CHOICE("--coordinates", "=C", "plain (default), long: no accuracy lost to scales and offsets"),
+    CHOICE("--powers", "=P", "squaring (default), pow, compensated"),
+    CHOICE("--trigonometry", "=T", "native (default), bounded"),
+    CHOICE("--aa", "=A", "auto (default), none, box, aniso: what is averaged over the pixel"),
+    CHOICE("--derivatives", "=D", "auto (default), finite, analytic: the slopes of BumpMap"),
+    TEXT("--material", material, "=NAME", "of `materials:`; without it, the only one"),
+    {"-O", OPTION_maybe, 0, .set = set_level, .label = "0, -O1, -O2",
+     .help = "as written; optimised (default); -O, -O3 and -Os are -O2"},
+    HEADING("measuring\n"),
+    {"--max-error", OPTION_real, AT(max_error), .min = DBL_TRUE_MIN, .max = INFINITY,
+     .wants = "--max-error wants a number above 0", .label = "=E",
+     .help = "the fastest choices, among those not named, that keep every slot within E of the "
+             "reference"},
+    FLAG("--pareto", pareto, NULL,
+         "run time and error of every choice not named; -o BASENAME: also as .csv, .svg and .png"),
+    {"--range", OPTION_real, AT(range), .min = DBL_TRUE_MIN, .max = 1e30,
+     .wants = "--range wants a number above 0", .label = "=R",
+     .help = "coordinates that count are in [-R, R]: 4"},
+    {"--gl", OPTION_index, AT(gl), .words = {gl_name, NULL, GL_KIND_count}, .label = "=KIND",
+     .help = "measure on osmesa (default), or on egl: a GPU where there is one"},
+    HEADING("questions\n"),
+    TEXT("--eval", eval, " \"u=.3 v=.4\"", "values of all slots at a point, by the C reference"),
+    {"--list", OPTION_maybe, AT(list), .otherwise = "", .label = "[=KIND]",
+     .help = "materials, maps, waves, channels, slots ...; one kind of them"},
+    HEADING("  --list FILE          the definitions that a document has, or includes\n"),
+    TEXT("--explain", explain, " NAME", "one of them; with a FILE, a definition"),
+    {"--schema", OPTION_maybe, AT(schema), .otherwise = OPTIONS_SCHEMA, .label = "[=OF]",
+     .help = "JSON Schema of document (default), layout, manifest or reflection"},
+    HEADING("  --schema FILE        that of documents, with the definitions that the file has, "
+            "or includes\n"),
+    FLAG("--stats", stats, NULL,
+         "times, nodes and cost of every stage, choices and their reasons, on standard error"),
+    {"--diagnostics", OPTION_index, AT(diagnostics), .words = OPTION_WORDS("text", "json"),
+     .label = "=FORM", .help = "text (default), json"},
+    {"-W", OPTION_text, 0, .set = add_warning, .label = "no-NAME",
+     .help = "do not give that warning; -Werror, -Werror=NAME: all, or that one, are errors.\n"
+             "--explain warnings lists them"},
+    {"--no-validate", OPTION_clear, AT(compile.validate), .help = "do not ask glslang"},
+    FLAG("--check", compile.check, NULL, "check the IR after every pass"),
+    FLAG("--help", help, ", --version", ""),
+    FLAG("-h", help, NULL, NULL),
+    FLAG("--version", version, NULL, NULL),
+    HEADING("\nExit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n"),
+};
 
 static int emit_row(const MatcOptions *options, int emit)
 {
@@ -299,60 +316,24 @@ const char *options_emit_suffix(const MatcOptions *options, int emit)
     return is_spirv(options, emit) ? emit_table[emit].spirv : emit_table[emit_row(options, emit)].suffix;
 }
 
-double options_number(const char *text, double otherwise)
-{
-    double number;
-    return !text ? otherwise : text_number(text, strlen(text), &number) ? number : NAN;
-}
-
-/* A whole number from 1 to the most; NULL is none. */
-static bool read_count(const char *text, long most, long *count)
-{
-    char *end = NULL;
-    if (!text)
-        return true;
-    *count = strtol(text, &end, 10);
-    if (*count > most)
-        *count = most;
-    return end != text && !*end && *count >= 1;
-}
-
-static bool read_counts(CommandLine *line, const char **fault)
-{
-    const long most_mib = 1l << 40;
-    long threads = 0;
-    if (!read_count(line->jobs, MOST_THREADS, &threads)) {
-        *fault = options_fault_number(&line->words, "-j wants a number of threads, from 1 on", line->jobs);
-        return false;
-    }
-    line->threads = (int)threads;
-    if (read_count(line->cache_size, most_mib, &line->cache_limit))
-        return true;
-    *fault = options_fault_number(&line->words, "--cache-limit wants a number of MiB, from 1 on", line->cache_size);
-    return false;
-}
-
 /* "gbuffer,shadow" */
-static bool read_passes(CommandLine *line, const char **fault)
+static const char *read_passes(CommandLine *line)
 {
     const char *list = line->compile.pass ? line->compile.pass : "gbuffer";
     char *at = line->pass_list = strdup(list);
     if (!at)
         memory_exhausted();
-    *fault = "--pass names too many passes";
     for (char *next; at; at = next) {
         if ((next = strchr(at, ',')))
             *next++ = 0;
         for (int i = 0; i < line->pass_count; i++)
-            if (!strcmp(line->passes[i], at)) {
-                *fault = "--pass names a pass twice";
-                return false;
-            }
+            if (!strcmp(line->passes[i], at))
+                return "--pass names a pass twice";
         if (line->pass_count == MOST_PASSES)
-            return false;
+            return "--pass names too many passes";
         line->passes[line->pass_count++] = at;
     }
-    return true;
+    return NULL;
 }
 
 void options_free(CommandLine *line)
@@ -377,26 +358,22 @@ static MatcForm form_asked_for(int argc, char **argv)
 
 bool options_read(CommandLine *line, int argc, char **argv, const char **fault)
 {
+    const OptionTable table = {options, sizeof options / sizeof *options, options_values, take_input};
     *line = (CommandLine){0};
     matc_options_init(&line->compile);
-    line->emit[EMIT_glsl] = true;
     line->diagnostics = form_asked_for(argc, argv);
-    *fault = NULL;
-    bool only_files = false;
-    for (int i = 1; i < argc; i++) {
-        const char *arg = argv[i];
-        if (!only_files && !strcmp(arg, "--"))
-            only_files = true;
-        else if (!only_files && arg[0] == '@') {
-            if (!options_read_list(line, arg + 1, fault))
-                return false;
-        } else if (only_files || arg[0] != '-' || !arg[1])
-            options_add_input(line, arg);
-        else if (!read_level(line, arg) && !read_option(line, argv, &i, fault))
-            return false;
-    }
-    if (!read_counts(line, fault) || !read_passes(line, fault))
-        return false;
-    *fault = NULL;
-    return true;
+    *fault = option_read(&table, line, &line->words, argc, argv);
+    for (int i = 0; i < EMIT_COUNT; i++)
+        line->emit_named |= line->emit[i];
+    line->emit[EMIT_glsl] |= !line->emit_named;
+    if (!*fault)
+        *fault = read_passes(line);
+    return !*fault;
+}
+
+const char *options_help(Arena *arena)
+{
+    Text out = text_new(arena);
+    option_put_help(&out, options, sizeof options / sizeof *options);
+    return out.at;
 }

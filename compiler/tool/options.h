@@ -3,6 +3,7 @@
 #define MATC_OPTIONS_H
 #include "compiler/base/arena.h"
 #include "compiler/matc.h"
+#include "runtime/gl/context.h"
 
 enum { MOST_PASSES = 8 };
 #define OPTIONS_SCHEMA "document" /* what --schema asks for by itself */
@@ -45,10 +46,8 @@ typedef struct {
     int list_count;
     const char *cache;               /* --cache, or MATC_CACHE */
     bool cache_named;                /* by --cache */
-    const char *cache_size;          /* --cache-limit, as text */
-    long cache_limit;                /* in MiB; 0: the default */
+    int cache_limit;                 /* --cache-limit, in MiB; 0: the default */
     bool cache_stats;                /* --cache-stats */
-    const char *jobs;                /* -j, as text */
     const char *passes[MOST_PASSES]; /* --pass, which is a list with -d */
     int pass_count;
     char *pass_list;          /* what they lie in */
@@ -64,10 +63,9 @@ typedef struct {
     const char *eval;         /* --eval */
     const char *explain;      /* --explain */
     const char *textures;     /* --textures */
-    const char *max_error;    /* --max-error */
-    const char *range;        /* --range */
-    const char *gl;           /* --gl */
-    const char *layout_error; /* --layout-error */
+    double max_error, range;  /* --max-error, --range; 0: not given */
+    GlKind gl;                /* --gl */
+    double layout_error;      /* --layout-error; 0: not given */
     const char *cases;        /* --cases: used or all; NULL: used */
     bool pareto, stats, watch, help, version;
     const char *list;          /* --list: of which kind, "" for all; NULL */
@@ -84,12 +82,10 @@ const char *options_check(CommandLine *line);
 /* Follows the suffix of -o where no option selects the output or the target; NULL, or how it contradicts one.
  * options_suffix.c */
 const char *options_suffix(CommandLine *line);
-/* The number of an option; another, where the option is NULL; NaN: it is no number. */
-double options_number(const char *text, double otherwise);
 /* What an --emit wants of a program (MatcOutput, or-ed), what of that is written, and to files of which suffix: of stages SPIR-V instead of GLSL, for a target of SPIR-V. */
 unsigned options_emit_outputs(const MatcOptions *options, int emit);
 const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program, size_t *size);
 const char *options_emit_suffix(const MatcOptions *options, int emit);
-/* What --help prints; in the arena. options_help.c */
+/* What --help prints; in the arena. */
 const char *options_help(Arena *arena);
 #endif

@@ -7,20 +7,9 @@
 #include <string.h>
 
 enum { LONGEST_FOLDER = 2048 };
-static const double LARGEST_RANGE = 1e30, LARGEST_ERROR = 0.5;
-
-static bool is_within(double number, double largest) { return number > 0 && number <= largest; }
-
 /* NULL, or what is wrong. */
-static const char *check_measuring(CommandLine *line)
+static const char *check_measuring(const CommandLine *line)
 {
-    Arena *words = &line->words;
-    if (!(options_number(line->max_error, 1) > 0))
-        return options_fault_number(words, "--max-error wants a number above 0", line->max_error);
-    if (!is_within(options_number(line->range, 1), LARGEST_RANGE))
-        return options_fault_number(words, "--range wants a number above 0", line->range);
-    if (!is_within(options_number(line->layout_error, LARGEST_ERROR), LARGEST_ERROR))
-        return options_fault_number(words, "--layout-error wants a number above 0, of at most 0.5", line->layout_error);
     if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
         return "--max-error is of the pass gbuffer";
     if ((line->pareto || line->max_error) && layout_is_custom(line->compile.layout))
@@ -60,36 +49,18 @@ static const char *check_output(const CommandLine *line)
     return NULL;
 }
 
-static const char *case_value(const void *user, int i)
-{
-    (void)user;
-    return i ? OPTIONS_CASES_ALL : "used";
-}
-
-/* --cases is of what -d writes for all materials together. */
-static const char *check_cases(CommandLine *line)
-{
-    const NameChoice values = {case_value, NULL, 2};
-    if (!line->cases)
-        return NULL;
-    if (strcmp(line->cases, case_value(NULL, 0)) != 0 &&
-        strcmp(line->cases, case_value(NULL, 1)) != 0)
-        return options_fault_value(&line->words, "--cases", line->cases, &values);
-    return line->folder
-               ? NULL
-               : "--cases is of the set that -d writes; a document alone is read back in all cases";
-}
-
 /* What has no effect alone. */
 static const char *check_companions(const CommandLine *line)
 {
+    if (line->cases && !line->folder)
+        return "--cases is of the set that -d writes; a document alone is read back in all cases";
     if (line->depfile && !line->depend)
         return "-MF names the depfile that -MD writes: give -MD, too";
     if (line->target && !line->depend)
         return "-MT names the target in the depfile that -MD writes: give -MD, too";
     if (line->cache_named && !line->folder)
         return "--cache is read and filled by -d alone: give -d, or leave it out";
-    if (line->cache_size && !line->cache)
+    if (line->cache_limit && !line->cache)
         return "--cache-limit bounds the folder of --cache: give --cache, too";
     return NULL;
 }
@@ -108,8 +79,8 @@ static const char *check_names(CommandLine *line)
             continue;
         Text option = text_new(&line->words);
         text_format(&option, "--%s", name);
-        return value && options_fault_values(name, &values)
-                   ? options_fault_value(&line->words, option.at, value, &values)
+        return value && options_values(option.at, &values)
+                   ? option_fault_value(&line->words, option.at, value, &values)
                    : option.at;
     }
     return NULL;
@@ -128,7 +99,5 @@ const char *options_check(CommandLine *line)
         fault = check_measuring(line);
     if (!fault)
         fault = check_output(line);
-    if (!fault)
-        fault = check_cases(line);
     return fault ? fault : check_companions(line);
 }

@@ -2,7 +2,6 @@
 #include "grammar/key_table.h"
 #include "compiler/tool/options_fault.h"
 #include "compiler/base/text.h"
-#include "compiler/base/warnings.h"
 #include "compiler/choice.h"
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
@@ -14,20 +13,12 @@ static const char *layout_name(const void *user, int i)
     return i == LAYOUT_COUNT ? "auto" : layout_table[i].name;
 }
 
-bool options_fault_values(const char *option, NameChoice *values)
+bool options_values(const char *option, NameChoice *values)
 {
-    if (strcmp(option, "layout") != 0)
-        return choice_values(option, values);
+    if (strcmp(option, "--layout") != 0)
+        return !strncmp(option, "--", 2) && choice_values(option + 2, values);
     *values = (NameChoice){layout_name, NULL, LAYOUT_COUNT + 1};
     return true;
-}
-
-const char *options_fault_value(Arena *arena, const char *option, const char *value, const NameChoice *values)
-{
-    Text out = text_new(arena);
-    text_format(&out, "%s: there is no '%s', but %s%s", option, value, suggest_list(arena, values),
-                suggest(arena, value, values->name, values->user, values->count));
-    return out.at;
 }
 
 static const char *explained_name(const void *user, int i)
@@ -74,31 +65,7 @@ const char *options_fault_list(Arena *arena, const char *kind)
     NameChoice kinds = {describe_list_kind, NULL, 0};
     while (describe_list_kind(NULL, kinds.count))
         kinds.count++;
-    return options_fault_value(arena, "--list", kind, &kinds);
-}
-
-const char *options_fault_number(Arena *arena, const char *wants, const char *value)
-{
-    Text out = text_new(arena);
-    text_format(&out, "%s, not '%s'", wants, value);
-    return out.at;
-}
-
-static const char *level_name(const void *user, int i)
-{
-    static const char *const names[] = {"0", "1", "2"};
-    (void)user;
-    return names[i];
-}
-
-const char *options_fault_level(Arena *arena, const char *level)
-{
-    return options_fault_value(arena, "-O", level, &(NameChoice){level_name, NULL, 3});
-}
-
-const char *options_fault_warning(Arena *arena, const char *name)
-{
-    return options_fault_value(arena, "-W", name, &(NameChoice){warnings_name, NULL, DIAG_COUNT});
+    return option_fault_value(arena, "--list", kind, &kinds);
 }
 
 const char *options_fault_point(Arena *arena, const char *point)

@@ -1,0 +1,72 @@
+/* The parser of command lines that matc, matview and matbench share. A program has a table with a row for each
+ * option: its name, the kind of its value, where the value goes, and its text in --help.
+ *
+ *     {"--size", OPTION_int, offsetof(Command, size), .label = "=N", .min = 1, .max = 16384,
+ *      .wants = "--size wants a number from 1 to 16384", .help = "pixels of an edge: 512"}
+ *
+ *     --size=9, --size 9                  command.size = 9
+ *     --size=0                            "--size wants a number from 1 to 16384, not '0'"
+ *     --sice=9                            "there is no option '--sice'; did you mean '--size'?"
+ *     --help                              "  --size=N             pixels of an edge: 512" */
+#ifndef MATC_OPTION_H
+#define MATC_OPTION_H
+#include "compiler/base/suggest.h"
+#include "compiler/base/text.h"
+
+typedef enum {
+    OPTION_heading, /* not an option: `help` is printed as it stands */
+    OPTION_flag,    /* bool, becomes true */
+    OPTION_clear,   /* bool, becomes false */
+    OPTION_text,    /* const char * */
+    OPTION_maybe,   /* const char *, whose value may be left out: --list, --list=maps; then it is `otherwise` */
+    OPTION_list,    /* const char ** in the arena and, at `count_place`, its int count; each use adds a string */
+    OPTION_int,     /* int, from min to max */
+    OPTION_real,    /* double, from min to max */
+    OPTION_word,    /* const char *, one of `words` */
+    OPTION_index,   /* int or enum, the index of one of `words` */
+    OPTION_set,     /* bool[words.count]: the words between commas; the last use counts */
+} OptionKind;
+
+typedef struct Option Option;
+struct Option {
+    const char *name; /* "--size"; one of two letters also takes its value without a space: "-oFILE" */
+    OptionKind kind;
+    size_t place, count_place; /* offsets in the program's struct */
+    NameChoice words;
+    const char *otherwise;
+    double min, max;
+    bool clamped;      /* an int above max becomes max */
+    const char *wants; /* "--size wants a number from 1 to 16384" */
+    /* Replaces storing, after words were checked. Returns NULL or a fault. value is NULL where it was left out. */
+    const char *(*set)(void *to, const Option *option, const char *value);
+    const char *label;             /* follows the name in --help: "=N" */
+    const char *help;              /* lines of --help; NULL: another row has them */
+    void (*put_help)(Text *out); /* writes the beginning of the help, where it depends on tables */
+};
+
+typedef struct {
+    const Option *rows;
+    int count;
+    /* Finds the values of an option without `words`, to be listed where its value is missing. May be NULL. */
+    bool (*values)(const char *name, NameChoice *values);
+    /* Takes an argument that is not an option; behind "--" it is literal. Returns NULL or a fault. */
+    const char *(*input)(void *to, const char *argument, bool literal);
+} OptionTable;
+
+/* Reads argv[1] to the end into the struct `to`. Returns NULL or the first fault, which lies in the arena. */
+const char *option_read(const OptionTable *table, void *to, Arena *arena, int argc, char **argv);
+/* Appends each row's lines of --help: name and label, then the text from column 23 on. */
+void option_put_help(Text *out, const Option *rows, int count);
+
+/* "--target: there is no 'hlsl', but glsl110, ...; did you mean ...?" and "--size wants a number, not 'x'" */
+const char *option_fault_value(Arena *arena, const char *option, const char *value, const NameChoice *values);
+const char *option_fault_number(Arena *arena, const char *wants, const char *value);
+
+/* A NameChoice of words that are written out. */
+const char *option_word(const void *user, int i);
+#define OPTION_WORDS(...)                                                                          \
+    {                                                                                              \
+        option_word, (const char *const[]){__VA_ARGS__},                                           \
+            sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *)                            \
+    }
+#endif
