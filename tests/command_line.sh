@@ -69,6 +69,8 @@ check "a flag with a value" status 2 "$matc" --watch=yes $example
 check "is told" says '--watch takes no value'
 check "an option without its value" status 2 "$matc" $example --aa
 check "lists the values" says '--aa wants a value: auto, none, box, aniso'
+check "--cases without its value" status 2 "$matc" $example --cases
+check "lists the values, too" says '--cases wants a value: used, all; see'
 for wrong in "--target=gls330 glsl330" "--pass=gbufer gbuffer" "--slot=difuse diffuse" "--layout=compct compact" "--precision=exakt exact" \
     "--noise=latice lattice" "--constants=unifrom uniform" "--aa=boxx box" "--emit=glls glsl" "--diagnostics=jsn json" "--schema=layot layout" \
     "--gl=egll egl" "--list=map maps" "--explain=Cheker Checker" "--material=checkr checker" "--powers=sqaring squaring"; do

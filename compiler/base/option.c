@@ -12,7 +12,8 @@ typedef struct {
 
 const char *option_word(const void *user, int i) { return ((const char *const *)user)[i]; }
 
-const char *option_fault_value(Arena *arena, const char *option, const char *value, const NameChoice *values)
+const char *option_fault_value(Arena *arena, const char *option, const char *value,
+                               const NameChoice *values)
 {
     Text out = text_new(arena);
     text_format(&out, "%s: there is no '%s', but %s%s", option, value, suggest_list(arena, values),
@@ -53,7 +54,8 @@ static const char *store_set(const Reader *r, const Option *option, bool *set, c
         size = strcspn(list, ",");
         const int i = find_word(&option->words, list, size);
         if (i < 0)
-            return option_fault_value(r->arena, option->name, arena_string(r->arena, list, size), &option->words);
+            return option_fault_value(r->arena, option->name, arena_string(r->arena, list, size),
+                                      &option->words);
         set[i] = any = true;
     }
     return any ? NULL : say(r->arena, option->name, " names nothing");
@@ -156,8 +158,8 @@ static const char *unknown(const Reader *r, const char *argument)
     return out.at;
 }
 
-/* Reads "--name", "--name=value", "--name value", "-o value" or "-ovalue". *next is the argument behind, or NULL;
- * it becomes NULL when it was the value. */
+/* Reads "--name", "--name=value", "--name value", "-o value" or "-ovalue". *next is the argument
+ * behind, or NULL; it becomes NULL when it was the value. */
 static const char *read_one(const Reader *r, const char *argument, const char **next)
 {
     for (int i = 0; i < r->table->count; i++) {

@@ -1,5 +1,5 @@
-/* The parser of command lines that matc, matview and matbench share. A program has a table with a row for each
- * option: its name, the kind of its value, where the value goes, and its text in --help.
+/* The parser of command lines that matc, matview and matbench share. A program has a table with a
+ * row for each option: its name, the kind of its value, where it goes, and its text in --help.
  *
  *     {"--size", OPTION_int, offsetof(Command, size), .label = "=N", .min = 1, .max = 16384,
  *      .wants = "--size wants a number from 1 to 16384", .help = "pixels of an edge: 512"}
@@ -18,8 +18,8 @@ typedef enum {
     OPTION_flag,    /* bool, becomes true */
     OPTION_clear,   /* bool, becomes false */
     OPTION_text,    /* const char * */
-    OPTION_maybe,   /* const char *, whose value may be left out: --list, --list=maps; then it is `otherwise` */
-    OPTION_list,    /* const char ** in the arena and, at `count_place`, its int count; each use adds a string */
+    OPTION_maybe,   /* const char *, or `otherwise` where its value is left out, as in "--list" */
+    OPTION_list,    /* const char **, and an int count at `count_place`; each use adds a string */
     OPTION_int,     /* int, from min to max */
     OPTION_real,    /* double, from min to max */
     OPTION_word,    /* const char *, one of `words` */
@@ -29,7 +29,7 @@ typedef enum {
 
 typedef struct Option Option;
 struct Option {
-    const char *name; /* "--size"; one of two letters also takes its value without a space: "-oFILE" */
+    const char *name; /* "--size"; "-o" also takes its value without a space: "-oFILE" */
     OptionKind kind;
     size_t place, count_place; /* offsets in the program's struct */
     NameChoice words;
@@ -37,7 +37,8 @@ struct Option {
     double min, max;
     bool clamped;      /* an int above max becomes max */
     const char *wants; /* "--size wants a number from 1 to 16384" */
-    /* Replaces storing, after words were checked. Returns NULL or a fault. value is NULL where it was left out. */
+    /* Replaces storing, after words were checked. value is NULL where it was left out. Returns NULL
+     * or a fault. */
     const char *(*set)(void *to, const Option *option, const char *value);
     const char *label;             /* follows the name in --help: "=N" */
     const char *help;              /* lines of --help; NULL: another row has them */
@@ -47,19 +48,21 @@ struct Option {
 typedef struct {
     const Option *rows;
     int count;
-    /* Finds the values of an option without `words`, to be listed where its value is missing. May be NULL. */
+    /* Finds the values of an option without `words`, to list them where one is missing; or NULL. */
     bool (*values)(const char *name, NameChoice *values);
-    /* Takes an argument that is not an option; behind "--" it is literal. Returns NULL or a fault. */
+    /* Takes an argument that is not an option, literal behind "--". Returns NULL or a fault. */
     const char *(*input)(void *to, const char *argument, bool literal);
 } OptionTable;
 
-/* Reads argv[1] to the end into the struct `to`. Returns NULL or the first fault, which lies in the arena. */
+/* Reads argv[1] to the end into the struct `to`. Returns NULL or the first fault, in the arena. */
 const char *option_read(const OptionTable *table, void *to, Arena *arena, int argc, char **argv);
 /* Appends each row's lines of --help: name and label, then the text from column 23 on. */
 void option_put_help(Text *out, const Option *rows, int count);
 
-/* "--target: there is no 'hlsl', but glsl110, ...; did you mean ...?" and "--size wants a number, not 'x'" */
-const char *option_fault_value(Arena *arena, const char *option, const char *value, const NameChoice *values);
+/* "--target: there is no 'hlsl', but glsl110, ...; did you mean ...?" */
+const char *option_fault_value(Arena *arena, const char *option, const char *value,
+                               const NameChoice *values);
+/* "--size wants a number, not 'x'" */
 const char *option_fault_number(Arena *arena, const char *wants, const char *value);
 
 /* A NameChoice of words that are written out. */

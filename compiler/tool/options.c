@@ -66,7 +66,8 @@ static const char *set_level(void *to, const Option *option, const char *level)
 {
     CommandLine *line = to;
     if (level && (!level[0] || level[1] || !strchr("0123s", level[0])))
-        return option_fault_value(&line->words, option->name, level, &(NameChoice){level_name, NULL, 3});
+        return option_fault_value(&line->words, option->name, level,
+                                  &(NameChoice){level_name, NULL, 3});
     line->compile.optimize = level && (level[0] == '0' || level[0] == '1') ? level[0] - '0' : 2;
     return NULL;
 }
@@ -84,7 +85,8 @@ static const char *add_warning(void *to, const Option *option, const char *setti
     if (!wrong)
         return NULL;
     const char *name = strrchr(wrong, '=') ? strrchr(wrong, '=') + 1 : strncmp(wrong, "no-", 3) ? wrong : wrong + 3;
-    return option_fault_value(&line->words, option->name, name, &(NameChoice){warnings_name, NULL, DIAG_COUNT});
+    return option_fault_value(&line->words, option->name, name,
+                              &(NameChoice){warnings_name, NULL, DIAG_COUNT});
 }
 
 static void add_input(CommandLine *line, const char *path)
@@ -358,7 +360,8 @@ static MatcForm form_asked_for(int argc, char **argv)
 
 bool options_read(CommandLine *line, int argc, char **argv, const char **fault)
 {
-    const OptionTable table = {options, sizeof options / sizeof *options, options_values, take_input};
+    const OptionTable table = {options, sizeof options / sizeof *options, options_values,
+                               take_input};
     *line = (CommandLine){0};
     matc_options_init(&line->compile);
     line->diagnostics = form_asked_for(argc, argv);

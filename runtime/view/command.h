@@ -2,10 +2,9 @@
 #ifndef MATC_VIEW_COMMAND_H
 #define MATC_VIEW_COMMAND_H
 #include "runtime/render/render.h"
+#include "compiler/base/arena.h"
 #include "runtime/view/frames.h"
 #include "runtime/view/material_picture.h"
-
-enum { FOLDER_LIMIT = 64 };
 
 typedef struct {
     MatcOptions compile;
@@ -16,38 +15,38 @@ typedef struct {
     int size;             /* pixels, as it was asked for; 0: it was not */
     int samples;          /* of a pixel, across and down; 0: not asked for */
     const char *view;     /* what is shown of what was drawn */
+    const char *format_named; /* --format */
     PictureFormat format; /* as it is named, or as the output's name ends */
     int bits, memory;     /* of a lane, and MiB; 0: not asked for */
-    bool formatted, progress;
+    bool progress;
     RenderEdges edges;
     const char *transparency; /* how transparent surfaces are put in order */
     const char *lights;       /* how many lights are summed */
-    bool stats, graph;        /* --stats, --emit=frame */
-    SceneTools tools;         /* which are drawn, if --tools was given */
-    bool has_tools;
+    const char *emit;         /* --emit=frame */
+    bool stats;               /* --stats */
+    bool tools_named[4];      /* which words --tools names; none: it was not given */
+    SceneTools tools;         /* that they ask for */
     bool watch, help, version;
-    const char *folders[FOLDER_LIMIT]; /* of -I */
     /* of materials alone */
     PreviewOptions preview;
     Viewpoint camera; /* where preview.camera points to */
     Param params[PARAM_LIMIT];
     int param_count;
-    const char *contact, *mesh, *material, *viewpoint, *slot;
-    bool shaped; /* --shape was given */
+    const char *contact, *shape, *mesh, *material, *viewpoint, *slot;
     /* of scenes alone */
     Frames frames;
     const char *compare; /* all methods of these in one picture: "shadows" or "indirect"; or NULL */
     Word shadows,
         indirect; /* how lights cast them, how indirect light is found: words of these lists; WORD_COUNT: as the scene says */
 
-    char message[PARAM_ROOM];  /* room for what is wrong */
+    Arena words;               /* texts that were made of arguments, and messages */
     struct WatchList *watched; /* files that were met; or NULL */
 } Command;
 
-extern const char command_help[];
-
 /* Reads the arguments. NULL, or what is wrong. command_free in either case. */
 const char *command_read(Command *command, int argc, char **argv);
+/* The text of --help. */
+const char *command_help(Command *command);
 /* Whether they go together; completes what follows from them. NULL, or what is wrong. */
 const char *command_check(Command *command);
 /* Whether they go together with a scene, and with materials alone. NULL, or what is wrong. */

@@ -122,15 +122,15 @@ static bool open_materials(Run *run)
 static int draw_picture(Run *run, ScenePictures *pictures, const char *input, const char *path)
 {
     ScenePicture picture = {0};
-    const char *taken = run->command->graph ? NULL : picture_name_claim(&run->owners, path, run->input);
+    const char *taken = run->command->emit ? NULL : picture_name_claim(&run->owners, path, run->input);
     if (taken)
         return complain(path, taken);
     const bool done = scene_pictures_draw(pictures, path, &picture);
     fputs(progress_erase(&run->shown.last), stderr);
     if (!done)
         return complain(picture.faulty ? picture.faulty : input, run->gl->error);
-    fputs(picture.words ? picture.words : "", run->command->graph ? stdout : stderr);
-    if (!run->command->graph && strcmp(path, "-") != 0)
+    fputs(picture.words ? picture.words : "", run->command->emit ? stdout : stderr);
+    if (!run->command->emit && strcmp(path, "-") != 0)
         puts(path);
     free(picture.words);
     return FINE;
@@ -405,7 +405,7 @@ int main(int argc, char **argv)
     if (fault)
         status = usage(fault);
     else if (command.help)
-        fputs(command_help, stdout);
+        fputs(command_help(&command), stdout);
     else if (command.version)
         puts("matview " MATC_VERSION);
     else
