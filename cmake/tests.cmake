@@ -1,4 +1,4 @@
-# The tests. run.c compares with the goldens, every tests/test_<name>.c is a program, and scripts are named below. Each runs from the
+# The tests. run.c compares with the goldens, every test_<name>.c in a folder of tests/ is a program, and scripts are named below. Each runs from the
 # project's root; status 77 says that something it needs is not installed, and ctest lists it as skipped at its end.
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
@@ -33,7 +33,7 @@ target_compile_options(strike PRIVATE -fno-sanitize=all)
 target_link_libraries(strike PRIVATE matc_flags ${CMAKE_DL_LIBS})
 target_link_options(strike PRIVATE -fno-sanitize=all)
 
-# Allocations that fail by count, for tests/out_of_memory.sh
+# Allocations that fail by count, for tests/tool/out_of_memory.sh
 add_library(failing_malloc MODULE tests/kill/failing_malloc.c)
 target_compile_options(failing_malloc PRIVATE -fno-sanitize=all)
 target_link_libraries(failing_malloc PRIVATE matc_flags)
@@ -45,7 +45,7 @@ set(QUICK golden abi embed_example functions layers locale exports test_affine t
   test_json_write test_key test_ktx test_layout_cases test_layout_file test_merge test_names test_narrow test_oracle test_oracle_material
   test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_group test_rules_range test_scene_defaults test_sheet test_tables test_thesis)
 
-file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
+file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c tests/*/test_*.c tests/*/*/test_*.c)
 # Frames and memory are others under sanitizers; means of many numbers, and pictures beside others' renderers, the same. The minutes
 # of the rows after the first go to the driver's compiling; what they call of matc and of the renderer, others call under sanitizers.
 set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures test_reference_bounces
@@ -183,15 +183,15 @@ endif()
 
 # From outside
 if(NOT MATC_TESTS_ONCE)
-  matc_test(command_line sh tests/command_line.sh $<TARGET_FILE:matc>)
-  matc_test(batch sh tests/batch.sh $<TARGET_FILE:matc>)
-  matc_test(folder sh tests/folder.sh $<TARGET_FILE:matc>)
-  matc_test(links sh tests/links.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
-  matc_test(lists sh tests/lists.sh $<TARGET_FILE:matc>)
-  matc_test(options sh tests/options.sh $<TARGET_FILE:matc>)
-  matc_test(names sh tests/names.sh $<TARGET_FILE:matc>)
-  matc_test(special sh tests/special.sh $<TARGET_FILE:matc>)
-  matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
+  matc_test(command_line sh tests/tool/command_line.sh $<TARGET_FILE:matc>)
+  matc_test(batch sh tests/tool/batch.sh $<TARGET_FILE:matc>)
+  matc_test(folder sh tests/tool/folder.sh $<TARGET_FILE:matc>)
+  matc_test(links sh tests/tool/links.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
+  matc_test(lists sh tests/docs/lists.sh $<TARGET_FILE:matc>)
+  matc_test(options sh tests/tool/options.sh $<TARGET_FILE:matc>)
+  matc_test(names sh tests/tool/names.sh $<TARGET_FILE:matc>)
+  matc_test(special sh tests/tool/special.sh $<TARGET_FILE:matc>)
+  matc_test(watch sh tests/tool/watch.sh $<TARGET_FILE:matc>)
   matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
   add_executable(tree_json tests/suites/tree.c)
   target_link_libraries(tree_json PRIVATE libmatc)
@@ -206,15 +206,15 @@ endif()
 # The libraries and packages
 set(LIBRARIES ${MATC_KINDS})
 list(TRANSFORM LIBRARIES REPLACE "(.+)" "$<TARGET_FILE:matc_\\1>")
-matc_test(abi sh tests/abi.sh ${LIBRARIES} $<TARGET_FILE:matc_render_shared>)
+matc_test(abi sh tests/packaging/abi.sh ${LIBRARIES} $<TARGET_FILE:matc_render_shared>)
 if(NOT SANITIZED) # a program without sanitizers cannot link to a library with them
-  matc_test(package sh tests/package.sh ${PROJECT_BINARY_DIR})
-  matc_test(install sh tests/install.sh ${PROJECT_BINARY_DIR})
-  matc_test(install_make sh tests/install.sh ${PROJECT_BINARY_DIR} "Unix Makefiles")
-  matc_test(subproject sh tests/subproject.sh)
-  matc_test(add sh tests/add.sh ${PROJECT_BINARY_DIR})
+  matc_test(package sh tests/packaging/package.sh ${PROJECT_BINARY_DIR})
+  matc_test(install sh tests/packaging/install.sh ${PROJECT_BINARY_DIR})
+  matc_test(install_make sh tests/packaging/install.sh ${PROJECT_BINARY_DIR} "Unix Makefiles")
+  matc_test(subproject sh tests/packaging/subproject.sh)
+  matc_test(add sh tests/docs/add.sh ${PROJECT_BINARY_DIR})
   foreach(tool ninja make meson)
-    matc_test(build_${tool} sh tests/build_tools.sh ${PROJECT_BINARY_DIR} ${tool})
+    matc_test(build_${tool} sh tests/packaging/build_tools.sh ${PROJECT_BINARY_DIR} ${tool})
   endforeach()
 endif()
 
@@ -222,21 +222,21 @@ endif()
 if(NOT SANITIZED)
   matc_test(functions matbench functions)
   matc_test(instructions matbench instructions) # against shaders by hand
-  matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>) # of depfiles alone; matc writes some under sanitizers in command_line.sh
-  matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
-  matc_test(out_of_memory sh tests/out_of_memory.sh $<TARGET_FILE:matc> $<TARGET_FILE:failing_malloc>)
-  matc_test(root sh tests/root.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
-  matc_test(order sh tests/order.sh)
-  matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
-  matc_test(locale sh tests/locale.sh)
-  matc_test(readmes sh tests/readmes.sh)
-  matc_test(exports sh tests/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
+  matc_test(depfile sh tests/tool/depfile.sh $<TARGET_FILE:matc>) # of depfiles alone; matc writes some under sanitizers in command_line.sh
+  matc_test(view sh tests/viewer/view.sh $<TARGET_FILE:matview>)
+  matc_test(out_of_memory sh tests/tool/out_of_memory.sh $<TARGET_FILE:matc> $<TARGET_FILE:failing_malloc>)
+  matc_test(root sh tests/tool/root.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
+  matc_test(order sh tests/sources/order.sh)
+  matc_test(layers sh tests/sources/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
+  matc_test(locale sh tests/sources/locale.sh)
+  matc_test(readmes sh tests/sources/readmes.sh)
+  matc_test(exports sh tests/sources/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
   matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
   matc_test(test_valid_spirv ${PROGRAM_test_valid} spirv)
-  matc_test(pages sh tests/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
-  matc_test(pictured sh tests/pictured.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR}/reference)
-  matc_test(pictures sh tests/pictures.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
-  matc_test(figures sh tests/figures.sh ${PROJECT_BINARY_DIR})
+  matc_test(pages sh tests/docs/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
+  matc_test(pictured sh tests/docs/pictured.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR}/reference)
+  matc_test(pictures sh tests/docs/pictures.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
+  matc_test(figures sh tests/docs/figures.sh ${PROJECT_BINARY_DIR})
   matc_test(browser sh tests/browser/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
   set_tests_properties(browser PROPERTIES LABELS browser)
 endif()

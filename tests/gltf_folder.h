@@ -1,7 +1,7 @@
 /* A folder of glTF files for a test, and the corners that their meshes have. */
 #ifndef TESTS_GLTF_FOLDER_H
 #define TESTS_GLTF_FOLDER_H
-#include "scene_text.h"
+#include "tests/scene_text.h"
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 /* Helpers of the oracle's tests: points, and the comparison of one channel of a map at a point with a number. */
 #ifndef MATC_ORACLE_FIXTURE_H
 #define MATC_ORACLE_FIXTURE_H
-#include "graph_builder.h"
+#include "tests/graph_builder.h"
 #include "compiler/oracle/oracle.h"
 #include <stdarg.h>
 #include <setjmp.h>

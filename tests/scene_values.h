@@ -5,7 +5,7 @@
  *     CHECK_LIST(position)   each component */
 #ifndef TESTS_SCENE_VALUES_H
 #define TESTS_SCENE_VALUES_H
-#include "scene_text.h"
+#include "tests/scene_text.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 #define PI           3.14159265358979324

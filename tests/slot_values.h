@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compile_text.h"
+#include "tests/compile_text.h"
 #include <math.h>
 
 static const double CLOSE = 1e-3; /* of published values */

@@ -1,5 +1,5 @@
 /* A text that grows, and numbers as text: the shortest form that reads back exactly. All of this is the same in every locale, and no
- * other file of the library asks for the locale: neither printf of fractions, nor strtod, ctype.h or strerror (tests/locale.sh). */
+ * other file of the library asks for the locale: neither printf of fractions, nor strtod, ctype.h or strerror (tests/sources/locale.sh). */
 #ifndef MATC_TEXT_H
 #define MATC_TEXT_H
 #include "compiler/base/arena.h"

@@ -117,7 +117,7 @@ static int put_chunks(FILE *out, const File *files, int count)
     return fine;
 }
 
-/* "    doc: A wall." or "    doc: \"A wall.\"": the sentence; tests/test_shipped.c compares it with what YAML reads. */
+/* "    doc: A wall." or "    doc: \"A wall.\"": the sentence; tests/compiler/front/test_shipped.c compares it with what YAML reads. */
 static void put_doc(FILE *out, const char *line)
 {
     static const char key[] = "    doc: ";

@@ -5,7 +5,7 @@
  *
  *     build_mix(ir, build_float(ir, 0), build_abs(ir, x), t)      makes 0, |x|, mix(0, |x|, t)
  *
- * tests/order.sh finds the calls that leave the order open. */
+ * tests/sources/order.sh finds the calls that leave the order open. */
 #ifndef MATC_BUILD_H
 #define MATC_BUILD_H
 #include "compiler/ir/ir.h"

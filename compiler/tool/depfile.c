@@ -1,7 +1,7 @@
 /* `target: files...`. To make this is a line of a makefile, in which a name such as `a;touch b` would be a command; ninja has a reader
  * of its own. Both read letters, digits, bytes beyond ASCII and `others` as they stand, once a backslash is before ` `, `#` and `:`,
  * and `$` is there twice: `a b#1$.yaml` is `a\ b\#1$$.yaml`. No other character can be written so that both read it: ninja takes
- * `\;` for two characters, and ends the name at a bare `;`. tests/depfile.sh asks both for every character. */
+ * `\;` for two characters, and ends the name at a bare `;`. tests/tool/depfile.sh asks both for every character. */
 #include "compiler/tool/depfile.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/text.h"

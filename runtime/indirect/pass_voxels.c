@@ -11,7 +11,7 @@
 extern const char render_text_shadow_depth[], render_text_voxel_flip[], render_text_voxel_touch[],
     render_text_voxel_merge[], render_text_voxel_above[];
 
-/* Where rays begin, voxel_map.glsl: by the table of tests/test_frame_voxel_open.c. */
+/* Where rays begin, voxel_map.glsl: by the table of tests/renderer/indirect/test_frame_voxel_open.c. */
 #define OFF_BODIES   .5f
 #define OFF_SURFACES .9f
 

@@ -26,7 +26,7 @@
  * ReinhardDevlin stretches what it maps from its least to its greatest, and Drago counts the pixels that are brighter than some: both may jump. What has
  * steps of 1/65535, or none, would leave hardly a light far.
  *
- * tests/test_light_bound.c proves what is said of e and of Filmic, by intervals and by the signs of polynomials, and tries the rest; test_far_terms.c
+ * tests/renderer/light/test_light_bound.c proves what is said of e and of Filmic, by intervals and by the signs of polynomials, and tries the rest; test_far_terms.c
  * tries the bounds of the series and of gloss. */
 #include "runtime/light/light_far.h"
 #include "runtime/shadow/shadow.h"

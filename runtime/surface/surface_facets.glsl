@@ -71,7 +71,7 @@ Row grazingOf(float rough)
 Gloss glossOf(float rough) { return Gloss(rough * rough, rough, lossOf(rough * rough), grazingOf(rough)); }
 
 // Albedos of the lobe with Fresnel's term 1: x is 1 - E, what is lost to facets behind others, y the part of E that Schlick's (1 - cosine)^5 has.
-// Fitted to integrals of the lobe: within 0.0055 and 0.0035 for all roughnesses and angles (tests/test_principled.c).
+// Fitted to integrals of the lobe: within 0.0055 and 0.0035 for all roughnesses and angles (tests/renderer/light/test_principled.c).
 vec2 albedo(float cosine, Gloss g)
 {
     float loss = clamp(rowAt(g.loss, cosine * (1.0 + g.alpha) / (cosine + g.alpha)), 0.0, 1.0);

@@ -1,5 +1,5 @@
 /* matbench cells: what cells are replaced with where they are finer than a pixel, by integration over random points and squares: the
- * rows of grammar/cells.def, in its order. tests/test_statistics_cells.c holds that table against the same integrals with other points. */
+ * rows of grammar/cells.def, in its order. tests/compiler/mean/test_statistics_cells.c holds that table against the same integrals with other points. */
 #include "matbench.h"
 #include "compiler/library/cells.h"
 #include "compiler/library/java_random.h"

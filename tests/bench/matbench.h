@@ -13,7 +13,7 @@ double bench_median(double *values, int count);
 long bench_peak_memory(void);
 
 /* A number of so many decimals, or "-" for NAN: what was not measured. --untimed leaves all times out, so that what is left does not
- * depend on the machine: tests/figures.sh holds docs/ against it. */
+ * depend on the machine: tests/docs/figures.sh holds docs/ against it. */
 enum { BENCH_NUMBER = 32 };
 #define NUMBER(decimals, value) bench_number((char[BENCH_NUMBER]){0}, decimals, value)
 const char *bench_number(char text[BENCH_NUMBER], int decimals, double value);

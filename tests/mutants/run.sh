@@ -24,10 +24,13 @@ sums() {
     (cd "$1" && find . \( -name .git -o -type d -path './build*' \) -prune -o -type f -print0 | xargs -0 -r cksum | LC_ALL=C sort)
 }
 
+# source_of TEST: the path of its file, if it is a program of its own
+source_of() { find "$root/tests" -name "$1.c"; }
+
 # Tests that rows name and ctest does not know
 unknown() {
     rows list | cut -f 3 | tr ' ' '\n' | sort -u | while read -r test; do
-        [ -f "$root/tests/$test.c" ] || grep -q "matc_test($test " "$root/cmake/tests.cmake" || echo "$test: no such test"
+        [ -n "$(source_of "$test")" ] || grep -q "matc_test($test " "$root/cmake/tests.cmake" || echo "$test: no such test"
     done
 }
 
@@ -44,8 +47,8 @@ targets() {
         case $test in
         test_*)
             echo "$test"
-            ! grep -q MATC_PROGRAM "$root/tests/$test.c" || echo matc
-            ! grep -q MATVIEW_PROGRAM "$root/tests/$test.c" || echo matview
+            ! grep -q MATC_PROGRAM "$(source_of "$test")" || echo matc
+            ! grep -q MATVIEW_PROGRAM "$(source_of "$test")" || echo matview
             ;;
         fuzz_*_seeds) test=${test#fuzz_} && echo "feed_${test%_seeds}" ;;
         golden) echo golden ;;

@@ -1,0 +1,88 @@
+/* Ranges of vectors: every vector that scene.def has is bounded, is accepted at either border in each component,
+ * and is a fault with its place one step beyond. Transforms have no row of their own and end where a float does. */
+#include "tests/scene_text.h"
+#include <float.h>
+#include <stdlib.h>
+
+/* Documents that hold one vector of each sort; %s are the kind and the key with its value. The second line has the vector. */
+static const struct {
+    SceneSort sort;
+    const char *text;
+} documents[] = {
+    {SCENE_SORT_camera, RED "camera: { camera: %s, %s }\n"},
+    {SCENE_SORT_motion, RED "motion: { motion: %s, frames: 2, %s }\n"},
+    {SCENE_SORT_key, RED "motion: { motion: Path, frames: 2, keys: [{ time: 0, %2$s }, { time: 1 }] } # %1$s\n"},
+    {SCENE_SORT_object, RED "objects: [{ object: %s, material: red, %s }]\n"},
+    {SCENE_SORT_light, RED "lights: [{ light: %s, %s }]\nsky: red\n"},
+};
+
+static const char *document_of(SceneSort sort)
+{
+    for (size_t i = 0; i < sizeof documents / sizeof *documents; i++)
+        if (documents[i].sort == sort)
+            return documents[i].text;
+    fail_msg("a vector of %s, of which no test has a document", scene_sort_table[sort].name);
+    return NULL;
+}
+
+static void put_text(const SceneParamRow *row, int lane, double value, char text[512])
+{
+    char vector[160], component[3][40];
+    for (int i = 0; i < 3; i++)
+        snprintf(component[i], sizeof component[i], "%.17g", i == lane ? value : row->param.init[i]);
+    snprintf(vector, sizeof vector, "%s: [%s, %s, %s]", row->param.name, component[0], component[1], component[2]);
+    snprintf(text, 512, document_of(scene_kind_table[row->kind].sort), scene_kind_table[row->kind].name, vector);
+}
+
+/* Whether a value is refused for its range; it may be for what it means, as a view along `up` is. */
+static bool is_out_of_range(const SceneParamRow *row, int lane, double value)
+{
+    char text[512], fault[96], *said;
+    MatcDocument *document;
+    put_text(row, lane, value, text);
+    Scene *scene = read_text(text, &document);
+    snprintf(fault, sizeof fault, ": error: %s is ", row->param.name);
+    said = strstr(matc_diagnostics(document, MATC_TEXT), fault);
+    const bool out = said && strstr(said, "it must be from");
+    if (out)
+        assert_int_equal(strncmp(matc_diagnostics(document, MATC_TEXT), "scene.yaml:2:", 13), 0);
+    assert_true(!out || !scene);
+    forget(scene, document);
+    return out;
+}
+
+static void vectors_have_borders(void **state)
+{
+    (void)state;
+    int vectors = 0;
+    for (int i = 0; i < SCENE_PARAM_COUNT; i++) {
+        const SceneParamRow *row = &scene_param_table[i];
+        if (row->value != SCENE_VALUE_plain || row->param.type != PARAM_Vec3)
+            continue;
+        vectors++;
+        if (!isfinite(row->param.low) || !isfinite(row->param.high))
+            fail_msg("%s.%s has no range", scene_kind_table[row->kind].name, row->param.name);
+        for (int lane = 0; lane < 3; lane++)
+            if (is_out_of_range(row, lane, row->param.low) || is_out_of_range(row, lane, row->param.high) ||
+                !is_out_of_range(row, lane, nextafter(row->param.low, -INFINITY)) ||
+                !is_out_of_range(row, lane, nextafter(row->param.high, INFINITY)))
+                fail_msg("%s.%s, component %d", scene_kind_table[row->kind].name, row->param.name, lane);
+    }
+    assert_true(vectors > 25);
+}
+
+/* The words, once. */
+static void words(void **state)
+{
+    (void)state;
+    assert_fault(RED "lights: [{ light: Area, u: [1e10, 0, 0] }]\n",
+                 "2:28: error: u is 1e+10; it must be from -1e+09 to 1e+09");
+    assert_fault(RED "camera: { camera: Perspective, position: [0, -2e9, 0] }\n",
+                 "2:42: error: position is -2e+09; it must be from -1e+09 to 1e+09");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(vectors_have_borders), cmocka_unit_test(words)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

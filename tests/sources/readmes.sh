@@ -1,0 +1,33 @@
+#!/bin/sh
+# A folder's README.md is a page that is true: it names every .c and .def of the folder, that of tests/ every test in a folder
+# of it as well, names no file that is not there, and the README.md of the folder above leads to it. Names stand in backquotes; `lower_*.c` names them all. And no file is a link, nor holds
+# both sides of a merge. Run from the project's root.
+set -eu
+all=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -print)
+end='
+'
+said=$(
+    find compiler runtime grammar tests -name README.md | LC_ALL=C sort | while read -r page; do
+        folder=${page%/README.md}
+        above=$(dirname "$folder")
+        grep -qF "(${folder##*/}/README.md)" "$above/README.md" || echo "$above/README.md does not lead to $page"
+        names=$(grep -o '`[^` ]*`' "$page" | tr -d '`' | grep -E '^[A-Za-z0-9_/*.]+\.(c|h|def|glsl|sh|txt)$' | sort -u)
+        for name in $names; do
+            case $all$end in */$name"$end"*) ;; *) echo "$page names $name, which is not there" ;; esac
+        done
+        set -- "$folder"/*.c "$folder"/*.def
+        [ "$folder" != tests ] || set -- "$@" tests/*/test_*.c tests/*/*/test_*.c
+        for file; do
+            known=
+            for name in $names; do
+                case ${file##*/} in ${name##*/}) known=1 ;; esac
+            done
+            [ "$known" ] || [ ! -f "$file" ] || echo "$page does not name ${file##*/}"
+        done
+    done
+)
+links=$(find . \( -path './build*' -o -path './.*' \) -prune -o -type l -print | sed 's/$/ is a link: nothing here leads elsewhere/')
+# The words of git begin a line; here a bracket keeps this file from being one of them.
+merged=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -exec grep -IlE '^([<]{7}|[>]{7}) ' {} + | sed 's/$/ holds both sides of a merge/')
+[ -z "$said$links$merged" ] || printf '%s\n' "$said" "$links" "$merged"
+[ -z "$said$links$merged" ]
