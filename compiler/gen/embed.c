@@ -1,6 +1,6 @@
 /* Host program: text files -> C. embed OUTPUT SYMBOL FILE...
  * With SYMBOL "chunk_table": library chunks as link.h has them; "library_table": files by their names, as grammar/library_table.h has them.
- * Otherwise one string a file, `const char SYMBOL_<name>[]`. */
+ * Otherwise one string a file, `const char SYMBOL_<name>[]`, and beside OUTPUT a header that declares all of them. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -171,13 +171,54 @@ static int write_output(FILE *out, const char *symbol, const File *files, int co
         put_library(out, files, count);
         return 1;
     }
+    fprintf(out, "#include \"gen/%s.h\"\n", symbol);
     for (int i = 0; i < count; i++) {
-        fprintf(out, "extern const char %s_%s[];\nconst char %s_%s[] = ", symbol, files[i].name, symbol, files[i].name);
+        fprintf(out, "const char %s_%s[] = ", symbol, files[i].name);
         put_string(out, files[i].text, strlen(files[i].text));
         fputs(";\n", out);
     }
     return 1;
 }
+
+static char *header_text(const char *symbol, const File *files, int count)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    fputs("/* Made by compiler/gen/embed.c. */\n", out);
+    for (int i = 0; i < count; i++)
+        fprintf(out, "extern const char %s_%s[];\n", symbol, files[i].name);
+    return fclose(out) ? NULL : text;
+}
+
+/* Leaves a file alone that has this text already, so that nothing that includes it is compiled again. */
+static int write_if_changed(const char *path, const char *text)
+{
+    char *had = read_all(path);
+    const int same = had && !strcmp(had, text);
+    free(had);
+    if (same)
+        return 1;
+    FILE *file = fopen(path, "w");
+    if (!file)
+        return 0;
+    const int fine = fputs(text, file) >= 0;
+    return !fclose(file) && fine;
+}
+
+/* "gen/render_text.c" -> "gen/render_text.h" */
+static int write_header(const char *output, const char *symbol, const File *files, int count)
+{
+    char *text = header_text(symbol, files, count), *path = strdup(output);
+    const int fine = text && path && *path && (path[strlen(path) - 1] = 'h', write_if_changed(path, text));
+    free(text);
+    free(path);
+    return fine;
+}
+
+static int is_table(const char *symbol) { return !strcmp(symbol, "chunk_table") || !strcmp(symbol, "library_table"); }
 
 int main(int argc, char **argv)
 {
@@ -199,6 +240,8 @@ int main(int argc, char **argv)
     int fine = out && write_output(out, argv[2], files, count);
     if (out && fclose(out))
         fine = 0;
+    if (fine && !is_table(argv[2]))
+        fine = write_header(argv[1], argv[2], files, count);
     for (int i = 0; i < count; i++) {
         free(files[i].name);
         free(files[i].text);

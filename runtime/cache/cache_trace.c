@@ -1,11 +1,10 @@
 #include "runtime/cache/cache_trace.h"
+#include "gen/render_text.h"
 #include "runtime/cache/instances.h"
 #include "runtime/cache/trace_text.h"
 #include "runtime/displace/displaced_traced.h"
 #include <math.h>
 #include <stdlib.h>
-
-extern const char render_text_trace_vertex[];
 
 enum { MET_UNIT = MATERIAL_TEXTURES - 1 };
 

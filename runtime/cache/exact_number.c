@@ -1,8 +1,7 @@
 #include "runtime/cache/exact_number.h"
+#include "gen/render_text.h"
 #include <stdio.h>
 #include <string.h>
-
-extern const char render_text_exact_number[], render_text_facet_slopes[];
 
 static const char around[] = "#define main surfaceMain\n";
 static const char vertex_tail[] = "#undef main\nflat out uint exact_place;\nvoid main()\n{\n    surfaceMain();\n    "

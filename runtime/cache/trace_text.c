@@ -1,12 +1,11 @@
 /* Line by line: declarations of what goes from stage to stage become those of variables. */
 #include "runtime/cache/trace_text.h"
+#include "gen/render_text.h"
 #include "runtime/draw/field.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_trace_patch[], render_text_trace_resolve[];
 
 static const char *const attributes[] = {"position", "normal", "texcoord", "tangentU", "tangentV", "basePosition"};
 enum { ATTRIBUTES = sizeof attributes / sizeof *attributes, NAME = 64, VARYINGS = 16 };

@@ -13,12 +13,10 @@
  *     ... depth_hidden.glsl
  *     ... lists_store.glsl, whose main() calls surfaceMain() */
 #include "runtime/cache/transparency.h"
+#include "gen/render_text.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-extern const char render_text_lists_store[], render_text_peel_layer[], render_text_glass_store[], render_text_depth_hidden[],
-    render_text_voxel_touch[];
 
 /* How what a fragment program gives a target becomes words, and these a texel: %1$d is the target, %2$d its first word. */
 static const struct {

@@ -1,13 +1,10 @@
 /* Programs and buffers of bisection, and the room that these have. */
+#include "gen/render_text.h"
 #include "runtime/displace/bisection.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_displace_point[], render_text_bisect[], render_text_bisect_see[],
-    render_text_bisect_scan[], render_text_bisect_look[], render_text_bisect_merge[], render_text_bisect_choose[],
-    render_text_bisect_split[], render_text_bisect_next[], render_text_bisect_pack[], render_text_bisect_few[];
 
 enum {
     CORNER_BYTES = 3 * sizeof(MeshCaptured),

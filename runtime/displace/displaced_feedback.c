@@ -2,12 +2,10 @@
  * divided. Buffers are as large as what is in them asks for: a pass for which one is too small is made again.
  *
  *     Two triangles of a square, three passes, all near: 2, 8, 32, 128. */
+#include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_displace_point[], render_text_displace_divide_vertex[], render_text_displace_divide[],
-    render_text_displace_move[];
 
 enum {
     TRIANGLES = 1 << 24,                 /* at most */

@@ -1,8 +1,7 @@
 /* By a geometry program in loops: patches of n parts are one draw, in which each part of a patch that is within what the driver writes at a time is a point. */
+#include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdio.h>
-
-extern const char render_text_displace_point[], render_text_displace_item[], render_text_displace_loop[];
 
 /* Numbers that are captured of a point; and how many points Mesa's software renderers may get of one draw: displaced_tessellation.c. */
 enum { COMPONENTS = sizeof(MeshCaptured) / sizeof(float), SOFTWARE_POINTS = 1 << 15 };

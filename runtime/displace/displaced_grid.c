@@ -1,9 +1,8 @@
 /* By grids: patches whose edges have at most n parts are the instances of one draw of (n + 1)(n + 2) / 2 points, in n^2 triangles. */
+#include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include "runtime/scene/scene_divide.h"
 #include <stdlib.h>
-
-extern const char render_text_displace_point[], render_text_displace_grid[];
 
 static bool make(const DisplacedMaking *making, Displaced *made)
 {

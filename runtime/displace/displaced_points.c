@@ -1,8 +1,7 @@
 /* By points: a vertex program has those of a grid, and a geometry program what stands for each. */
+#include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include "runtime/scene/scene_matrix.h"
-
-extern const char render_text_displace_point[], render_text_displace_symbol_vertex[], render_text_displace_symbol[];
 
 enum { SOFTWARE_POINTS = 1 << 15 /* displaced_tessellation.c */ };
 

@@ -1,9 +1,7 @@
 /* By the tessellator: all patches are one draw, and what comes out is counted. */
+#include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
-
-extern const char render_text_displace_point[], render_text_displace_vertex[], render_text_displace_control[],
-    render_text_displace_evaluation[];
 
 static bool there(const GlContext *gl)
 {

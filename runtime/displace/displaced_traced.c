@@ -1,11 +1,8 @@
 /* A grid, and over it what rays are traced through: nodes of a pyramid, hulls of patches; or, of parallax, base triangles. */
 #include "runtime/displace/displaced_traced.h"
+#include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
-
-extern const char render_text_displace_point[], render_text_trace_patch[], render_text_trace_nodes[],
-    render_text_trace_given[], render_text_trace_hull[], render_text_trace_vertex[], render_text_trace_fragment[],
-    render_text_parallax_fragment[];
 
 /* Binding points of the GLSL. */
 enum { HULLS_BINDING = 3, GRID_BINDING = 4, NODES_BINDING = 5, ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS };

@@ -1,8 +1,7 @@
 /* Steps of a reduction, each with a target of its own. Their GLSL is measure.glsl. */
 #include "runtime/draw/measure.h"
+#include "gen/render_text.h"
 #include <math.h>
-
-extern const char render_text_measure[];
 
 static bool make_step(Store *store, const int size[2], bool compute, const char *const *texts, Measure *made)
 {

@@ -1,11 +1,9 @@
 /* Puts a body between its version and its entry; draws or dispatches. */
 #include "runtime/draw/screen_pass.h"
+#include "gen/render_text.h"
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
-
-extern const char render_text_entry_compute[], render_text_entry_fragment[];
-extern const char render_text_entry_over_compute[], render_text_entry_over_fragment[];
 
 enum { GROUP = 8, HEAD_ROOM = 128 };
 

@@ -1,13 +1,12 @@
 /* The passes lists and blend: transparent fragments into lists, and these over the light. Their GLSL is lists_store.glsl, around the
  * materials' own, and pass_blend.glsl. */
+#include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/glass/glass.h"
 #include "runtime/picture/picture.h"
 #include <stdio.h>
 #include <string.h>
-
-extern const char render_text_pass_blend[];
 
 /* The buffer's first words, as lists_store.glsl has them. */
 enum { WIDTH, PIXELS, ROOM, COUNT, HEADS };

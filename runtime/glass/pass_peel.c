@@ -1,11 +1,10 @@
 /* The pass peel: transparent surfaces layer by layer, from the farthest, each lit and laid over the light. From the back, so that a layer
  * needs no memory of those in front of it. Its GLSL is peel_layer.glsl, around the materials' own, and pass_peel.glsl. */
+#include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/glass/glass.h"
 #include "runtime/picture/picture.h"
-
-extern const char render_text_pass_peel[];
 
 static bool pass_peel_needed(const Render *render) { return transparency_is(render, TRANSPARENCY_peeling); }
 

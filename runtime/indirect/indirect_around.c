@@ -1,9 +1,8 @@
 /* Light from all around along single rays. The GLSL is indirect_around.glsl. */
+#include "gen/render_text.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/light/lighting.h"
 #include <math.h>
-
-extern const char render_text_light_sky[], render_text_light_hemisphere[], render_text_indirect_around[];
 
 #define PI 3.14159265358979323846
 

@@ -1,6 +1,7 @@
 /* What moved since rays were kept. Of each object of a scene that keeps them, its matrix of that time; objects that stand elsewhere now are drawn once more, where they are seen, as
  * numbers of their motions. Where nothing moves, nothing of that runs. */
 #include "runtime/indirect/indirect_motion.h"
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/indirect/voxels.h"
@@ -8,8 +9,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_shadow_depth[], render_text_indirect_motion[];
 
 enum { DEPTH_UNIT = 0 /* where samplers look that nobody told */ };
 

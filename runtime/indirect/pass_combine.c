@@ -1,9 +1,8 @@
 /* The pass combine: over the light that comes from lights with a place, that from all around, dimmed, and indirect light. Its GLSL is pass_combine.glsl,
  * behind lighting.glsl. */
+#include "gen/render_text.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/light/lighting.h"
-
-extern const char render_text_pass_combine[];
 
 static bool pass_combine_needed(const Render *render) { return indirect_is(render); }
 

@@ -1,8 +1,7 @@
 /* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_map.glsl and voxel_walk.glsl. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels.h"
-
-extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_pass_cubes[];
 
 static bool pass_cubes_needed(const Render *render) { return voxels_view_level(render->options.view) >= 0; }
 

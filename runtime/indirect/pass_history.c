@@ -1,5 +1,6 @@
 /* The pass history: what rays found in frames before, kept for those after, in targets of its own, two of each in turns. Its GLSL is pass_history.glsl, behind
  * indirect_place.glsl. Without it, none of this is there. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/indirect_motion.h"
@@ -9,8 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_indirect_place[], render_text_pass_history[];
 
 enum { RAYS_UNIT = INDIRECT_FREE_UNIT, VALUES_UNIT, PLACES_UNIT, MOVED_UNIT, COUNTS = 64 };
 

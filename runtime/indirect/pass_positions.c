@@ -1,13 +1,12 @@
 /* The pass positions: a view of the points that the picture knows, as a mesh, from beside. It is drawn over a depth of its own, which the layers that are peeled have else. Its GLSL is
  * positions_vertex.glsl and positions_fragment.glsl. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/voxels.h"
 #include <math.h>
 #include <string.h>
-
-extern const char render_text_positions_vertex[], render_text_positions_fragment[];
 
 #define PI 3.14159265358979323846
 

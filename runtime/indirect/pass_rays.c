@@ -1,15 +1,11 @@
 /* The pass rays: from depth, G-buffer, light and voxels to openness and indirect light. Its GLSL is pass_rays.glsl, behind indirect_place.glsl and that of the
  * method. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/indirect_motion.h"
 #include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"
-
-extern const char render_text_indirect_place[], render_text_indirect_march[], render_text_indirect_near[],
-    render_text_indirect_mask[], render_text_indirect_points[], render_text_indirect_rays[],
-    render_text_indirect_seen[], render_text_indirect_basis[], render_text_indirect_lift[], render_text_pass_rays[],
-    render_text_voxel_map[], render_text_voxel_march[], render_text_voxel_ray[], render_text_radiance[], render_text_indirect_planes[];
 
 enum {
     LIGHT_UNIT = INDIRECT_FREE_UNIT,

@@ -1,9 +1,8 @@
 /* The passes smooth and spread: what rays found, as means over pixels of the same surface: along rows, then along columns, for all pixels of the picture. Their
  * GLSL is pass_smooth.glsl, behind indirect_place.glsl. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
-
-extern const char render_text_indirect_place[], render_text_pass_smooth[];
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 

@@ -1,5 +1,6 @@
 /* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects move. Bodies turn bits over by an exclusive
  * or of the driver's, in waves of those that are apart; surfaces of the others set theirs along each axis; all are merged, then the levels above are made. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect.h"
@@ -7,9 +8,6 @@
 #include "runtime/indirect/voxels.h"
 #include <stdio.h>
 #include <stdlib.h>
-
-extern const char render_text_shadow_depth[], render_text_voxel_flip[], render_text_voxel_touch[],
-    render_text_voxel_merge[], render_text_voxel_above[];
 
 /* Where rays begin, voxel_map.glsl: by the table of tests/renderer/indirect/test_frame_voxel_open.c. */
 #define OFF_BODIES   .5f

@@ -1,5 +1,6 @@
 /* What cached radiance is made with: programs of materials that end in nodes, buffers, and what passes read of it. */
 #include "runtime/indirect/radiance.h"
+#include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/voxels.h"
@@ -7,10 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_radiance_store[], render_text_radiance_number[], render_text_radiance_light[],
-    render_text_radiance_place[], render_text_radiance_bounce[], render_text_radiance[], render_text_voxel_map[],
-    render_text_voxel_ray[], render_text_indirect_basis[];
 
 enum { FLOATS = 4, BOUNCED_TEXELS = 4, ONCE_TEXELS = 2 };
 

@@ -1,8 +1,7 @@
 /* Bricks: the slice map as rays read it, 4 x 4 x 4 voxels in 64 bits, and levels above, the last of which is one brick. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels.h"
-
-extern const char render_text_voxel_bricks[];
 
 enum { BRICKS_BINDING = 2, MAP_UNIT = 0, BRICK = 4, GROUP = 4 };
 

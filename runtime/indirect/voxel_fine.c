@@ -1,10 +1,9 @@
 /* Surfaces of triangles that are small against voxels: no rasteriser, which takes each triangle three times and finds nothing in most. A mesh goes to it as a whole (voxel_bodies.c). */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels.h"
 #include <stdio.h>
 #include <stdlib.h>
-
-extern const char render_text_voxel_fine[];
 
 enum { PLACES, VERTICES, INDICES, GROUP = 64, GROUPS_MOST = 4096, PLACES_MOST = 65535, ROWS = 3 };
 

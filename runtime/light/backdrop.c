@@ -1,9 +1,8 @@
 /* What stands where nothing is seen: shown by the pass tone as it is, and, behind what is transparent, by the pass light as light. */
+#include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/light/lighting.h"
 #include <string.h>
-
-extern const char render_text_backdrop[];
 
 static bool is_there(const Render *render)
 {

@@ -1,13 +1,10 @@
 /* What every pass that lights surfaces takes: the GLSL between what gives a Surface and the pass's own, numbers, textures. */
 #include "runtime/light/lighting.h"
+#include "gen/render_text.h"
 #include "runtime/shadow/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
 #include <stdio.h>
-
-extern const char render_text_light_area[], render_text_light_sky[], render_text_light_hemisphere[],
-    render_text_lighting[], render_text_facet[], render_text_shadow_volume[], render_text_silhouette[],
-    render_text_shadow_soft[], render_text_volume_cells[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT, EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS };

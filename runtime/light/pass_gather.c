@@ -1,11 +1,9 @@
 /* The pass gather: from the G-buffer, depth and lights to what far lights give together to each block of pixels, and which are near, as light_bound.c
  * says. Three dispatches: pass_groups.glsl finds groups of pixels; pass_near.glsl goes through the lights for each group by itself, and says which are near;
  * pass_gather.glsl sums the others. So what sums, which needs many registers, has to do nothing else. light_room.c has the buffers. */
+#include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
-
-extern const char render_text_far_terms[], render_text_far_blocks[], render_text_far_group[], render_text_far_lobe[],
-    render_text_far_light[], render_text_pass_near[], render_text_pass_groups[], render_text_pass_gather[];
 
 static bool pass_gather_needed(const Render *render) { return render->scene && light_far_used(render); }
 

@@ -1,10 +1,8 @@
 /* The pass light: from the G-buffer, depth and lights to light. Its GLSL is pass_light.glsl, behind lighting.glsl; where lights are many, it is
  * pass_light_far.glsl, by what the pass gather has summed. */
+#include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
-
-extern const char render_text_pass_light[], render_text_far_terms[], render_text_far_blocks[],
-    render_text_pass_light_far[];
 
 static bool pass_light_needed(const Render *render) { return render->scene != NULL; }
 

@@ -1,11 +1,10 @@
 /* The pass edge: along outlines, creases and horizons, which share of a pixel lies beyond them. Its GLSL is pass_edge.glsl; the pass tone blends
  * by it (edge_part.glsl). What hides a line is known by the depths beside it. */
+#include "gen/render_text.h"
 #include "runtime/picture/picture.h"
 #include "runtime/sight/edge_list.h"
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_pass_edge[];
 
 enum { LINES_IN_ROW = 1024, GROUP = 64, DEPTH_UNIT = 0, LINES_UNIT };
 

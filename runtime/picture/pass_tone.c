@@ -1,10 +1,9 @@
 /* The pass tone: from light to the picture, edges blended. Its GLSL is pass_tone.glsl, behind tone.glsl; what some kinds ask of the whole picture is
  * reduced before. */
+#include "gen/render_text.h"
 #include "runtime/picture/picture.h"
 #include <stdio.h>
 #include <string.h>
-
-extern const char render_text_tone[], render_text_pass_tone[], render_text_edge_part[], render_text_edge_none[];
 
 enum { LIGHT_UNIT, MEASURED_UNIT, ADAPTED_UNIT, EDGE_UNIT, TOOLS_UNIT };
 

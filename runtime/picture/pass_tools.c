@@ -1,5 +1,6 @@
 /* The pass tools: lines in fixed colours, which tone mapping does not change. They stand in the depth as what is opaque does, black in the light; their
  * colours are in a target beside it, under the same glass, and the pass tone adds them. Their GLSL is tools_vertex.glsl and tools_fragment.glsl. */
+#include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/picture/picture.h"
 #include "runtime/shadow/volume.h"
@@ -7,8 +8,6 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
-
-extern const char render_text_tools_vertex[], render_text_tools_fragment[];
 
 static bool pass_tools_needed(const Render *render)
 {

@@ -1,13 +1,12 @@
 /* What exact shadows read, made once for a scene: the triangles of all that is opaque, and the lists of exact_cover.h. exact.glsl says what becomes
  * of them. */
+#include "gen/render_text.h"
 #include "runtime/cache/exact_number.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/shadow/exact.h"
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_exact[], render_text_exact_seen[];
 
 enum { TRIANGLES_BINDING = 6, LISTS_BINDING = 7 };
 

@@ -1,13 +1,12 @@
 /* The pass shadow: depth as lights see it. Maps stay until the scene changes: a further frame draws none. shadow.glsl says what becomes of
  * them. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/shadow/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/silhouette.h"
 #include "runtime/shadow/volume.h"
-
-extern const char render_text_shadow_depth[];
 
 enum { SHADOW_MAPS_MIB = 4096 };
 

@@ -5,14 +5,13 @@
  * The volume is closed, so that counts are right with the camera in the shadow, too. Of parallel light all that is infinitely far away is one
  * point. A spot or a face of a cube has a far side, from border to border; as it has the vertices of the border, both cancel exactly where
  * there is no shadow. Depth is clamped: nothing is cut off. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/volume.h"
 #include <math.h>
 #include <stdlib.h>
-
-extern const char render_text_shadow_volume[], render_text_volume_cells[], render_text_volume_vertex[];
 
 enum { BITS = 8 /* of a lane of the mask */ };
 

@@ -3,6 +3,7 @@
  * sheet just there (shadow_sheet.glsl). All sheets between multiply, into a layer of texels for each light, which the passes that light read.
  *
  * As a texel has one depth, surfaces that are transparent are peeled where there are sheets. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
@@ -11,8 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_shadow_sheet[];
 
 enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
 

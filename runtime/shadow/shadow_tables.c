@@ -1,4 +1,5 @@
 /* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl goes by. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
@@ -9,8 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_shadow[];
 
 enum { VIEW_TEXELS = 4, ROW = 1024 /* views, or planes, in a row of their texture */ };
 

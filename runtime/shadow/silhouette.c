@@ -1,4 +1,5 @@
 /* Silhouette shadows: edges of meshes in a buffer, once; for each view, crossings into a buffer of whole numbers, and from there into a texture. */
+#include "gen/render_text.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/shadow/silhouette.h"
 #include "runtime/cache/instances.h"
@@ -7,8 +8,6 @@
 #include "runtime/sight/edge_list.h"
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_silhouette_find[], render_text_silhouette_pack[];
 
 enum { PLACES_BINDING = 1, EDGES_BINDING, EXTENTS_BINDING, GROUP = 64, SQUARE = 8, MOST_GROUPS = 65535 };
 enum { MOST_EDGES = MOST_GROUPS * GROUP /* one dispatch has so many */ };

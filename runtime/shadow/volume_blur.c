@@ -1,8 +1,7 @@
 /* Depth blurring: a map's depths are drawn to a texture of their own first; their means are the map. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/volume.h"
-
-extern const char render_text_volume_blur[];
 
 bool volume_blur_make(Render *render)
 {

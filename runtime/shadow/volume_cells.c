@@ -1,12 +1,11 @@
 /* Shadow volumes that silhouettes cut, volume_cells.glsl: its vertices have no attributes. When maps are drawn, a program lists the cells of each view that
  * have a surface, those that silhouettes cross apart from the rest (volume_list.glsl), and counts the vertices that they take, which two draws then go by. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/shadow/silhouette.h"
 #include "runtime/shadow/volume.h"
 #include <stdint.h>
-
-extern const char render_text_shadow_volume[], render_text_volume_cells[], render_text_volume_list[];
 
 enum { LIST, COMMANDS /* binding points */, GROUP = 8, PARTS = 2 /* not crossed, crossed */, CROSSINGS_UNIT = 1 };
 

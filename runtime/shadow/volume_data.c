@@ -2,12 +2,11 @@
  * through a pixel buffer that becomes a vertex buffer; of the perfect triangulation a texture is drawn first that has a texel for each corner of each
  * quad. Computed: a program writes depths, and of the perfect triangulation the indices. Buffers are written when maps are drawn. All three draw the
  * same triangles, corner by corner. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/volume.h"
 #include <stdint.h>
 #include <stdlib.h>
-
-extern const char render_text_shadow_volume[], render_text_volume_corners[], render_text_volume_write[];
 
 enum { RESTART = -1, QUAD_CORNERS = 4, QUAD_INDICES = 6, GROUP = 8, DEPTHS = 0, INDICES = 1 /* binding points */ };
 

@@ -1,11 +1,9 @@
 /* Volumes of hybrid shadows as one can look at them. They are drawn beside the lines of the pass tools: tone mapping leaves their colours as they are, and
  * what lies before them in the depth hides them. Their GLSL is volume_vertex.glsl and volume_shown.glsl. */
+#include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/volume.h"
 #include <stdlib.h>
-
-extern const char render_text_shadow_volume[], render_text_volume_cells[], render_text_volume_vertex[],
-    render_text_volume_shown[];
 
 static void place(const Render *render, int view)
 {

@@ -1,7 +1,6 @@
 /* Room is found by trying: for heads and cells at first, then for as many blocks and entries as were counted. */
 #include "runtime/sight/exact_cover.h"
-
-extern const char render_text_exact_cover[], render_text_exact_begins[];
+#include "gen/render_text.h"
 
 /* As exact_cover.glsl has them. */
 enum {

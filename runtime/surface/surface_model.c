@@ -2,10 +2,8 @@
  * chooses. */
 #include "runtime/surface/surface_model.h"
 #include "compiler/layout/layout.h"
+#include "gen/render_text.h"
 #include <stdio.h>
-
-extern const char render_text_surface_facets[], render_text_surface_anisotropic[], render_text_surface_phong[], render_text_surface_principled[], render_text_surface_principled_light[], render_text_surface_both[],
-    render_text_surface_through[];
 
 #define RENAMED(model)                                                                                                 \
     "#define Lit " model "Lit\n#define surfaceLit " model "SurfaceLit\n"                                                \

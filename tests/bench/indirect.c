@@ -1,4 +1,5 @@
 /* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is: indirect_path.c; what passes take: indirect_passes.c; the thesis' tables: indirect_table.c. */
+#include "gen/render_text.h"
 #include "runtime/indirect/voxels.h"
 #include "indirect_passes.h"
 #include "indirect_path.h"
@@ -9,8 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_voxel_walk[], render_text_voxel_march[];
 
 enum { TEXT = 2048, FRAMES = 9, WIDE = 256, HIGH = 128, ACROSS = 4 };
 

@@ -1,10 +1,9 @@
+#include "gen/render_text.h"
 #include "runtime/indirect/voxels.h"
 #include "tests/frame/voxel_points.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_voxel_map[], render_text_voxel_ray[];
 
 const char voxel_points_ray[] = "bool pointRay(vec3 from, vec3 way, float far, out float count)\n{\n"
                                 "    VoxelMeeting meeting;\n"

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/voxel_walk.h"
 #include "runtime/draw/screen_pass.h"
@@ -12,8 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_voxel_ray[], render_text_voxel_march[];
 
 enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, LANES = 4 };
 

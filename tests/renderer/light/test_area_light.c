@@ -5,13 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "tests/area_reference.h"
 #include "tests/frame/frame_cases.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
 #include <stdlib.h>
-
-extern const char render_text_light_area[];
 
 enum { WIDE = 64, HIGH = 128, CASES = WIDE * HIGH, TEXELS = 5 };
 

@@ -5,13 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "tests/frame/frame_cases.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_far_terms[], render_text_far_blocks[], render_text_far_group[], render_text_far_lobe[];
 
 enum { ACROSS = 32, HIGH = 128, CASES = ACROSS * HIGH, IN = 7, OUT = 3 /* texels of a case */, SURFACES = 24 };
 

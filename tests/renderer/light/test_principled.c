@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "runtime/surface/surface_model.h"
 #include "compiler/matc.h"
 #include "tests/frame/frame_draw.h"
@@ -16,7 +17,6 @@
 
 static const double PI = 3.14159265358979323846;
 enum { SIDE = 20 };
-extern const char render_text_light_area[];
 
 /* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on. */
 static const char head[] =

@@ -6,14 +6,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_pass_history[], render_text_pass_smooth[], render_text_shadow[],
-    render_text_indirect_mask[];
 
 enum { SIDE = 32 };
 

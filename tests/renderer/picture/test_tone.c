@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "runtime/draw/measure.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_draw.h"
@@ -12,8 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_tone[];
 
 /* Floats of a view of a scene, from malloc; *read is the scene, whose document is kept to the end. */
 static float *draw(GlContext *gl, const char *text, const char *view, bool fragment)

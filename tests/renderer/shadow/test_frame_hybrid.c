@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_calls.h"
@@ -213,8 +214,6 @@ static void ends(void **state)
 }
 
 /* -- diagonals */
-
-extern const char render_text_shadow_volume[];
 
 /* From the plane of the other three corners, in double; the quad's edges are 1 long. */
 static double distance_of(const double z[4], int corner)

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "tests/frame/shadow_ends.h"
 #include "tests/frame/shadow_knot.h"
 #include "runtime/scene/scene.h"
@@ -14,8 +15,6 @@
 #include <string.h>
 
 /* -- the triangles of a cell */
-
-extern const char render_text_volume_cells[];
 
 enum { ROWS = 7, MOST = 10, RING = 12, NUMBERS = ROWS * 3 * MOST };
 

@@ -4,12 +4,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "gen/render_text.h"
 #include "runtime/draw/screen_pass.h"
 #include "tests/frame/frame_draw.h"
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_silhouette[];
 
 enum { CELLS = 64 /* squared */ };
 
