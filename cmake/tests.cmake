@@ -46,14 +46,32 @@ set(QUICK golden abi embed_example functions layers locale exports test_affine t
   test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_group test_rules_range test_scene_defaults test_sheet test_tables test_thesis)
 
 file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c tests/*/test_*.c tests/*/*/test_*.c)
-# Frames and memory are others under sanitizers; means of many numbers, and pictures beside others' renderers, the same. The minutes
-# of the rows after the first go to the driver's compiling; what they call of matc and of the renderer, others call under sanitizers.
-set(UNSANITIZED test_area test_memory test_stack test_statistics test_statistics_cells test_reference_pictures test_reference_bounces
-  test_value test_shared test_function test_filtered_mean test_layout_claims test_derivatives test_principled_layouts test_frame_derivatives
-  test_frame_bisection test_frame_bisection_lights test_frame_bisection_moves test_frame_cast test_frame_cycles
-  test_frame_displaced test_frame_glass test_frame_coplanar test_frame_history test_frame_hybrid test_frame_indirect_truth test_frame_lights test_frame_many
-  test_frame_meshes test_frame_moved test_frame_moving test_frame_radiance test_frame_shade test_frame_silhouette test_frame_soft test_frame_views
-  test_frame_volume_cells test_light_cells)
+# A line of its own in a test says what ctest must know about it: /* ctest: WORD... */, with these words:
+#   unsanitized  The sanitizers leave it out. Frames and memory differ under them; means of many numbers, and pictures that are
+#                compared with those of other renderers, do not. For others the driver's compiler takes minutes, and what
+#                they call of matc and of the renderer runs under sanitizers in another test.
+#   alone        A program of its own where tests are joined: those with the world of kill/, and those with megabytes of arrays,
+#                all of which LeakSanitizer scans.
+#   unoptimized  Most of its time goes to the compiler of Mesa's software driver. Without that compiler's optimizations it
+#                takes two thirds and draws the same bits.
+#   small-pages  It measures memory or stack, which large pages would change.
+#   seconds=N    Its usual time, from 10 seconds on: a first run starts the longest tests first.
+set(WORDS unsanitized alone unoptimized small-pages)
+foreach(file ${TESTS})
+  get_filename_component(name ${file} NAME_WE)
+  file(STRINGS ${file} line REGEX "^/[*] ctest: .* [*]/$")
+  string(REGEX REPLACE "^/[*] ctest: (.*) [*]/$" "\\1" words "${line}")
+  separate_arguments(words)
+  foreach(word ${words})
+    if(word MATCHES "^seconds=([0-9]+)$")
+      list(APPEND LONG ${name}=${CMAKE_MATCH_1})
+    elseif(word IN_LIST WORDS)
+      list(APPEND WITH_${word} ${name})
+    else()
+      message(FATAL_ERROR "${file}: ctest: has no word ${word}")
+    endif()
+  endforeach()
+endforeach()
 # A program of tests, and what some of them need beside
 function(matc_test_program program)
   add_executable(${program} ${ARGN})
@@ -78,10 +96,8 @@ function(matc_test_needs program name)
   endif()
 endfunction()
 # To link two hundred programs takes a minute of a processor; one of many takes a second: tests/joined NAME ARGUMENTS... There are two, as those
-# that do not draw begin sooner without the renderer's libraries. By themselves are those of kill/, which have a world of their own,
-# and those of megabytes of arrays, where LeakSanitizer looks through all.
+# that do not draw begin sooner without the renderer's libraries.
 option(MATC_TESTS_JOINED "Makes two programs of most tests, for who runs all of them" OFF)
-set(ALONE test_kill test_kill_failure test_reference test_frame_cycles_gloss test_far_terms test_exact test_exact_material test_codes)
 set(JOINED joined joined_frame)
 if(MATC_TESTS_JOINED)
   foreach(program ${JOINED})
@@ -93,12 +109,12 @@ endif()
 foreach(file ${TESTS})
   get_filename_component(name ${file} NAME_WE)
   file(STRINGS ${file} partly REGEX "tests/(sanitized|kill/world)[.]h")
-  if(SANITIZED AND name IN_LIST UNSANITIZED)
+  if(SANITIZED AND name IN_LIST WITH_unsanitized)
     continue()
-  elseif(MATC_TESTS_ONCE AND NOT partly AND NOT name IN_LIST UNSANITIZED AND NOT name IN_LIST QUICK)
+  elseif(MATC_TESTS_ONCE AND NOT partly AND NOT name IN_LIST WITH_unsanitized AND NOT name IN_LIST QUICK)
     continue()
   endif()
-  if(MATC_TESTS_JOINED AND NOT name IN_LIST ALONE)
+  if(MATC_TESTS_JOINED AND NOT name IN_LIST WITH_alone)
     file(STRINGS ${file} draws REGEX "\"(runtime|tests/(frame|meshes|value))/")
     set(program joined)
     if(draws)
@@ -162,20 +178,17 @@ foreach(name test_mended test_gl_egl)
   endif()
 endforeach()
 
-# Most of their time goes to the compiler of Mesa's software driver. Without its optimisations they take some two thirds, and draw the same bits.
-set(COMPILING test_emit test_frame_cast test_frame_glass test_light_cells test_value)
-foreach(name ${COMPILING})
+foreach(name ${WITH_unoptimized})
   if(TEST ${name})
     set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT GALLIVM_PERF=nopt)
   endif()
 endforeach()
 
-# Large pages, where the kernel has them, take a tenth off what draws without sanitizers. Not where memory is what is measured.
-set(MEASURING test_growth test_kept_pages test_memory test_stack test_work)
+# Large pages, where the kernel has them, take a tenth off what draws without sanitizers.
 if(MATC_TESTS_ONCE AND MATC_TESTS_JOINED)
   foreach(file ${TESTS})
     get_filename_component(name ${file} NAME_WE)
-    if(TEST ${name} AND PROGRAM_${name} MATCHES "joined_frame" AND NOT name IN_LIST MEASURING)
+    if(TEST ${name} AND PROGRAM_${name} MATCHES "joined_frame" AND NOT name IN_LIST WITH_small-pages)
       set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=1073741824:glibc.malloc.trim_threshold=4294967296)
     endif()
   endforeach()
@@ -241,19 +254,10 @@ if(NOT SANITIZED)
   set_tests_properties(browser PROPERTIES LABELS browser)
 endif()
 
-# A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
-set(LONG test_value=140 test_derivatives=60 test_principled_layouts=25 test_frame_moved=130 install_make=101 test_frame_displacement=82 add=81 test_valid=80 pictures=80 batch=78 install=66 test_host=60 figures=57
-  subproject=55 test_kill_failure=54 test_mended=50 test_frame_cast=50 test_frame_cast_lists=50 command_line=46 test_statistics_cells=43
-  test_frame_geometry=43 test_frame_calls=41 test_frame_radiance=40 test_shared=38 test_sky_gloss=36 test_frame_glass=35 test_scene_pictures=34
-  schema=33 test_valid_spirv=33 test_frame_exact=31 test_frame=30 test_frame_meshes=29 test_layout_claims=29 test_frame_soft=28 test_kill=26
-  package=26 links=25 test_frame_silhouette_change=25 test_frame_memory=25 test_frame_recount=25 special=23 test_frame_culled=23 view=22 test_frame_views=20
-  test_frame_exact_cases=22 test_frame_voxel_fine=21 order=21 fuzz_scene_seeds=21 test_growth=20 test_frame_indirect=20 test_frame_traced=20
-  test_sky_light=20 test_frame_voxels=19 test_reference_pictures=19 test_frame_far=19 test_frame_samples=19 test_reflection=18 test_stack=18
-  test_layout=18 test_frame_bisection=17 test_frame_silhouette=17 test_frame_cycles=17 folder=16 test_stages=16 test_slope=16 test_frame_many=16
-  test_tiles=16 test_memory=15 names=15 test_reserved=15 test_emit=15 test_equiv=14 test_function=14 test_frame_volume_cells=14 test_frame_tools=14
-  test_preview=14 test_frame_change=14 test_explain=12 pages=12 test_principled_diffuse=12 test_voxel_ray=12 test_displacement=11 test_measure=11
-  test_principled=11 test_exact_lists=11 test_tone=11 options=10 test_frame_feedback=10 test_stress=10 test_frame_edge=10 test_normal=10
-  test_tiles_indirect=10 test_frame_indirect_bent=10 test_frame_sheet=10 layers=10)
+# The usual seconds of tests that are no test_*.c; later runs go by what they took.
+list(APPEND LONG install_make=101 add=81 pictures=80 batch=78 install=66 figures=57 subproject=55
+  command_line=46 schema=33 test_valid_spirv=33 package=26 links=25 special=23 view=22 order=21
+  fuzz_scene_seeds=21 folder=16 names=15 pages=12 options=10 layers=10)
 foreach(pair ${LONG})
   string(REPLACE "=" ";" pair ${pair})
   list(GET pair 0 name)

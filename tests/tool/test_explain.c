@@ -1,5 +1,6 @@
 /* The example of every map and material that --explain shows: nothing is said of it, and its picture is worth looking at: neither black
  * nor flat. A small sphere is drawn, and judged in its middle, where light alone makes little difference. */
+/* ctest: seconds=12 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

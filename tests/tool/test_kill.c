@@ -1,5 +1,6 @@
 /* Runs that are ended before each of their calls in turn, and within each write; then the next run finds whatever was left. What is right is
  * told by runs that nothing happens to. */
+/* ctest: alone seconds=26 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

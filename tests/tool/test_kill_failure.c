@@ -1,4 +1,5 @@
 /* Lets each call of a run fail in turn, alone and as on a full disk, and runs on a disk that cannot be written. */
+/* ctest: alone seconds=54 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

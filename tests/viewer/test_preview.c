@@ -1,4 +1,5 @@
 /* The preview's pictures against what they should show: a sphere in its lights by the Phong shading of semantics.md 4.1, every slot. */
+/* ctest: seconds=14 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

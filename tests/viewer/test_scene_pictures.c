@@ -1,4 +1,5 @@
 /* Frames of a motion, drawn by one renderer, against each by a renderer of its own: every byte of their files. */
+/* ctest: seconds=34 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* A process that keeps its pages takes none anew for what it compiles again. Pages are counted by the system, not timed. */
+/* ctest: small-pages */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* Threads of 256 KiB: whatever is nested to its limit compiles, evaluates and is printed on one (docs/stability.md, Stack). */
+/* ctest: unsanitized small-pages seconds=18 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

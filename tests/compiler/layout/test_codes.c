@@ -1,5 +1,6 @@
 /* Every packed code, exactly: decoded by the library's GLSL, encoded again, stored in a real target of half floats or of whole
  * numbers, it is the same code; and it is that of the C reference. */
+/* ctest: alone */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* --layout=auto: what is claimed of materials holds, of random trees by the oracle, and of sets as they are drawn. */
+/* ctest: unsanitized seconds=29 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

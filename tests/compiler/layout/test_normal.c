@@ -1,5 +1,6 @@
 /* The table of normal encodings: mean, rms and greatest error in degrees over two million random directions, beside measured
  * figures. The encodings are the C references, in double precision; test_codes holds the GLSL to them. */
+/* ctest: seconds=10 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

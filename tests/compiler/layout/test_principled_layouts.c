@@ -1,6 +1,7 @@
 /* Every parameter of Principled, away from its default, through every layout, against the layout
  * `integer`: the light is the same within what the layout's bits promise, or a warning names
  * what the layout loses. Which slots a parameter changes says the oracle. */
+/* ctest: unsanitized seconds=25 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

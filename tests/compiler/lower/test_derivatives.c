@@ -1,5 +1,6 @@
 /* No program has an implicit derivative in non-uniform control flow: of every example, through
  * every pass and target. glslang makes SPIR-V of the text, whose blocks are walked. */
+/* ctest: unsanitized seconds=60 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

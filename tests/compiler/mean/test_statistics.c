@@ -1,4 +1,5 @@
 /* What filtered noise is replaced with, against the integrals that define it: means over many points of the noise itself. */
+/* ctest: unsanitized */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

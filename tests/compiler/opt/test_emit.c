@@ -1,6 +1,7 @@
 /* What is written is what the IR means: every operation within every other, on either side, every mixture of floats and vectors, and branches.
  * Each is drawn under OSMesa, compared with ir_eval, and parsed by glslang in one of three other languages. The optimiser takes no part, so
  * that what it would never leave is written too. */
+/* ctest: unoptimized seconds=15 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

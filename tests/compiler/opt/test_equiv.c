@@ -1,5 +1,6 @@
 /* Lowering and optimiser, proved without GLSL: the IR as written and the optimised IR of every example, evaluated in double
  * precision, have the values of the oracle, which knows neither. And an IR's text reads back as the same text. */
+/* ctest: seconds=14 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

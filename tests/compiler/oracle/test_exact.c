@@ -1,4 +1,5 @@
 /* The oracle's functions against 200 bits: waves, exponents, rotations, the sky; formulas from semantics.md alone. */
+/* ctest: alone */
 #include "tests/exact.h"
 #include <stdio.h>
 

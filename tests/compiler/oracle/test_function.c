@@ -1,4 +1,5 @@
 /* Every library function and every volume map's: its GLSL, drawn, against its reference in double at the same floats. */
+/* ctest: unsanitized seconds=14 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

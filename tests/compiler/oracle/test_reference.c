@@ -1,4 +1,5 @@
 /* The C references of the library functions: check values of the semantics, closed forms, round trips, behaviour at the edges. */
+/* ctest: alone */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

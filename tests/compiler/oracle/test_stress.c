@@ -1,4 +1,5 @@
 /* A small run of what `matbench stress` does without end: random documents mean the same to all who evaluate them. */
+/* ctest: seconds=10 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,7 @@
 /* The proof: what the emitted programs draw is what the oracle says, for every example, slot, level and target.
  * tests/bounds.def says how far they may be apart, and the table at the end how far they are.
  * VALUE_ONLY=part-of-a-path in the environment looks at those documents only, and says more of each fault; VALUE_SEED=N takes other points. */
+/* ctest: unsanitized unoptimized seconds=140 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

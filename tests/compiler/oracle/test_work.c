@@ -1,5 +1,6 @@
 /* What the oracle counts is what it takes: values of every costly kind, by their time for each step that is counted. A kind that is
  * not counted would be hundreds of times as slow. */
+/* ctest: small-pages */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

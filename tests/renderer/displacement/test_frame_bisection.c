@@ -1,5 +1,6 @@
 /* Bisection by compute stages, under OSMesa: its triangles against those of the processor's bisection by the same error, in double; the same set however the camera came there;
  * each side of a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures against those of fine meshes, and shadows of what the camera does not see. */
+/* ctest: unsanitized seconds=17 */
 #include "tests/frame/bisection_body.h"
 #include "tests/frame/bisection_reference.h"
 #include "tests/frame/frame_compare.h"

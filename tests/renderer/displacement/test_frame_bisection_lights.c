@@ -1,4 +1,5 @@
 /* Bisection for the shadows of an Area, under OSMesa: nowhere coarser than for a lamp at any of its points, seldom finer than for all of these, and as for one lamp where it is small. */
+/* ctest: unsanitized */
 #include "tests/frame/bisection_body.h"
 #include "runtime/scene/scene_matrix.h"
 #include <stdio.h>

@@ -1,4 +1,5 @@
 /* Bisection by compute stages where the camera moves by little: triangles that cannot have changed are not looked at again, and what there is is what a mesh has that has seen nothing before. */
+/* ctest: unsanitized */
 #include "tests/frame/bisection_body.h"
 #include <stdio.h>
 #include <stdlib.h>

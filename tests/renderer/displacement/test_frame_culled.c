@@ -1,4 +1,5 @@
 /* Patches out of view of meshes that the driver displaces, drawn under OSMesa: they get no triangles where nobody but the camera looks, and no shadow of theirs can come into view, and all of them elsewhere; pictures are the same, bit for bit. */
+/* ctest: seconds=23 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "runtime/frame/frame.h"

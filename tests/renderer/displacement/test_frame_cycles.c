@@ -1,5 +1,6 @@
 /* Displaced surfaces against Cycles, which divides and displaces them by nodes of its own: tests/reference/README.md. What each method's triangles may be off is said by their size and by
  * the second derivative of the surface; of what is traced nothing is, but what Cycles' own parts are. */
+/* ctest: unsanitized seconds=17 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_picture.h"

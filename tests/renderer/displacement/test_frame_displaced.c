@@ -1,5 +1,6 @@
 /* Meshes that the driver displaces, drawn under OSMesa: their points against the C reference's, by which meshes are displaced; no hole in what is closed, wherever levels meet, edges are hard
  * or texture coordinates have a seam; pictures, shadows and changes against what meshes give. */
+/* ctest: unsanitized */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "runtime/scene/scene_patches.h"

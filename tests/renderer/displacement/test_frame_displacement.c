@@ -1,5 +1,6 @@
 /* Displaced objects in pictures: no hole in what is closed, from 64 sides; outlines, light and shadows of each method against rays of Embree, where the
  * material at a point is the oracle's. */
+/* ctest: seconds=82 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_ray.h"

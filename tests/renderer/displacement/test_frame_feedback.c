@@ -1,5 +1,6 @@
 /* Meshes that are divided by feedback, drawn under OSMesa: as many triangles as the criterion has in double; the points of an even division where nothing is too far; gaps, which each kind of
  * skirts hides; fewer triangles of skirts a step before the last. */
+/* ctest: seconds=10 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"
 #include "tests/frame/frame_draw.h"

@@ -1,5 +1,6 @@
 /* Meshes that geometry programs displace, drawn under OSMesa: their points are those of meshes that the C reference displaced, within and beyond what one call writes; where patches
  * are divided each for itself there are gaps, and skirts of each kind hide them; what stands for points stands where the grid has them. */
+/* ctest: seconds=43 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"
 #include "tests/frame/frame_draw.h"

@@ -1,4 +1,5 @@
 /* Transparent fragments and layers are counted again where the scene changes: a list that was made for few would lose what is too many. */
+/* ctest: seconds=25 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* Frames against a reference in double (frame/reference_light.h), in every way there is; the depth of planes; tones; what cannot be drawn. */
+/* ctest: seconds=30 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

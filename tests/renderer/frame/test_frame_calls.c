@@ -1,4 +1,5 @@
 /* What frames need: a second one only draws, materials share programs, views leave out what nobody reads. */
+/* ctest: seconds=41 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

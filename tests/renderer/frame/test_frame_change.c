@@ -1,4 +1,5 @@
 /* Scenes that change, against scenes that are drawn anew; what each change makes and writes. */
+/* ctest: seconds=14 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* No program that the renderer hands to the driver has an implicit derivative in non-uniform
  * control flow: glslang makes SPIR-V of the text, whose blocks are walked. */
+/* ctest: unsanitized */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* Many objects: instances against objects drawn one by one, and against what is not culled; how many calls it takes. */
+/* ctest: unsanitized seconds=16 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* Targets that lie in each other's memory: bytes a pixel, counted by hand, and the picture that targets of their own give, bit for bit. */
+/* ctest: seconds=25 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,7 @@
 /* Scenes far from the world's origin, under OSMesa: examples moved by 1e6 and by the earth's radius have the
  * pictures that they have where they are, and turned with their cameras nearly so; cameras that go far; what
  * reads the position in the world. */
+/* ctest: unsanitized seconds=130 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* What rays found in frames before: means over sets of rays, where a camera or an object moves, and when it stops. */
+/* ctest: unsanitized */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

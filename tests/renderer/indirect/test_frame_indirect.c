@@ -1,4 +1,5 @@
 /* Openness and indirect light by what the picture shows, against closed forms; what becomes of it in the light. */
+/* ctest: seconds=20 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* `moving:` of indirect light: a frame in which something is another than before is what the coarser resolution gives; the next one, where nothing is, what the finer does. */
+/* ctest: unsanitized */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

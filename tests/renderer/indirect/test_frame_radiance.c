@@ -1,5 +1,6 @@
 /* Light of what the picture does not show: nothing of it gets through walls, what is behind the camera sends what rays in double say, as infinite planes do, and what changes is as if it were made
  * anew. */
+/* ctest: unsanitized seconds=40 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

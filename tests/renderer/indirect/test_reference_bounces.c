@@ -1,6 +1,7 @@
 /* Light by way of surfaces, of one bounce and of four, against Cycles, which traces paths: tests/reference/README.md. All of a frame's light, less that of lamps, where Cycles says that no edge is.
  *
  *     test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one bounce with each of these keys */
+/* ctest: unsanitized */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

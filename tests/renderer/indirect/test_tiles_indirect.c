@@ -1,4 +1,5 @@
 /* Indirect light in tiles with as much around them as it looks at, against the same picture drawn at once; what has to be drawn at once. */
+/* ctest: seconds=10 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* What far lights are taken for, at groups of surfaces made to be nasty: the series of their even light and the expansion of their gloss, as the GLSL
  * has them, against the light itself in double. What is left out is within the bounds that far_terms.glsl and far_lobe.glsl state. */
+/* ctest: alone */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* Principled balls in the sun against Cycles' Principled: tests/reference/README.md. Facets are GGX's in both, masked by height, and reflect light more than once; Fresnel's formula is Schlick's here, and there a
  * dielectric's of index 1.5, from the same colour to white: what was reflected once is taken from the one to the other by the angle between light and the facet, which is half of that between light and eye. */
+/* ctest: alone */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_picture.h"

@@ -1,5 +1,6 @@
 /* Many lights: of every kind in any order, more than a block of numbers holds, against the reference in double; and far ones that are taken together,
  * against all of them. */
+/* ctest: unsanitized */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,7 @@
 /* Shadows against rays of Embree, for each kind of light, from straight above to half a degree over the ground. A picture with shadows over
  * one without is the share of light that arrives. It is that of the ray wherever no end of a shadow is near: where points of the surface's
  * tangent plane, a few texels away as the light sees them, all agree. So what is lit wrongly there is a leak, what is dark is acne. */
+/* ctest: unsanitized */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

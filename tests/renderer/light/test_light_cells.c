@@ -2,6 +2,7 @@
  * and both are compared with frame/lit_reference.h, summed over the light's directions in double.
  * The slot's effect has to be several times what the comparison allows; where a cell says that
  * there is none, both patches are alike. */
+/* ctest: unsanitized unoptimized */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* The lobe of Principled surfaces: the fits of its albedos against integrals in double, the GLSL's lobe against microfacets as they are defined, a
  * white furnace at every roughness, light that changes places with the eye, and colours that no surface sends more of than arrives. */
+/* ctest: seconds=11 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* A Principled's rough diffuse base: the lobe and what it loses against sums in double, white furnaces below facets, a coat and fuzz, light that changes places
  * with the eye. */
+/* ctest: seconds=12 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

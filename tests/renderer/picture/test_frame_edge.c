@@ -1,5 +1,6 @@
 /* Edges blended by coverage, against 8 x 8 rays of Embree through each pixel, flat colours of objects mapped one by one; lines of the picture by
  * closed forms; what hides them; tiles. */
+/* ctest: seconds=10 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* Planes whose transparency varies, as what casts shadows: what a second frame calls, what changes, what is there and what is refused. That light is right,
  * test_frame_cast.c says. */
+/* ctest: seconds=10 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

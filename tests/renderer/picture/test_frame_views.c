@@ -1,5 +1,6 @@
 /* Views as PNG files show them, under OSMesa: each has more than sixteen colors in five scenes, depth and
  * normals are the documented formulas, and OpenEXR files keep the renderer's numbers. */
+/* ctest: unsanitized seconds=20 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* Tone mapping: what is shown against the formulas of scene.def in double, on the light that is read back; what is measured of a picture, by
  * both entries; black pictures, light that is no number, infinite or all in one pixel. */
+/* ctest: seconds=11 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,7 @@
 /* Shadows of what lets light through, against rays of Embree that go on through it with the oracle's transparency in double. A pixel is compared
  * wherever no end of a shadow is near: where points of the tangent planes of all its layers, a few texels away as each light sees them, have
  * the same light. There a shadow map knows all that a ray does. */
+/* ctest: unsanitized unoptimized seconds=50 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* Coloured shadows by their closed form, and what is there for them: lists where something transparent casts shadows, and nowhere else. */
+/* ctest: seconds=50 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* Exact shadows: no pixel is wrong by Embree's rays, and by all triangles in double where those are asked again. `build/tests/test_frame_exact
  * 10000000` draws as many pixels at least, and `... 10000000 egl` on a GPU. */
+/* ctest: seconds=31 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

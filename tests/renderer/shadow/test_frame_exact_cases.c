@@ -1,5 +1,6 @@
 /* Exact shadows where chance would hardly come: rays through edges bit for bit, what is beyond a light, a camera that moves past what is opaque alone,
  * copies of which one is mirrored, glass that casts in two ways at once. */
+/* ctest: seconds=22 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
 /* Shadows of meshes that others made (tests/meshes), against rays of Embree: how far their ends are off, on four receivers. */
+/* ctest: unsanitized seconds=29 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,6 @@
 /* Silhouette shadows against rays of Embree: mean distances of their ends from the true ones, on four receivers; pixels that are wrong away from ends, for each kind
  * of light, from half a degree over the ground to straight above. */
+/* ctest: unsanitized seconds=17 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

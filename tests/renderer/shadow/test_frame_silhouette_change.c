@@ -1,4 +1,5 @@
 /* Silhouette shadows of a scene that changes, beside other lights, with something of glass, and on drivers that cannot have them. */
+/* ctest: seconds=25 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

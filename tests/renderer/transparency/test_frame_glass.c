@@ -1,4 +1,5 @@
 /* Transparent surfaces: layers against their closed form, scenes against the reference, lists against peeling; what there is no room for. */
+/* ctest: unsanitized unoptimized seconds=35 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
