@@ -235,6 +235,7 @@ endif()
 if(NOT SANITIZED)
   matc_test(functions matbench functions)
   matc_test(instructions matbench instructions) # against shaders by hand
+  matc_test(matbench sh tests/tool/matbench.sh $<TARGET_FILE:matbench>)
   matc_test(depfile sh tests/tool/depfile.sh $<TARGET_FILE:matc>) # of depfiles alone; matc writes some under sanitizers in command_line.sh
   matc_test(view sh tests/viewer/view.sh $<TARGET_FILE:matview>)
   matc_test(out_of_memory sh tests/tool/out_of_memory.sh $<TARGET_FILE:matc> $<TARGET_FILE:failing_malloc>)

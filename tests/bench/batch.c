@@ -280,42 +280,32 @@ static bool measure_memory(BatchFolder *folder, int count, bool timed)
     return true;
 }
 
-int bench_batch(int argc, char **argv)
+const Option bench_batch_options[] = {
+    BENCH_UNTIMED,
+    BENCH_INT("--count", count, " N", 1, DIFFERENT_DOCUMENTS / 4, "a number of materials",
+              "materials of the smallest batch"),
+    BENCH_TEXT("--matc", matc, " PROGRAM", "the compiler that is measured"),
+    BENCH_FLAG("--speed", speed, "only how fast batches are compiled"),
+    BENCH_FLAG("--scene", scene, "only what the materials of a scene share"),
+    BENCH_FLAG("--cache", cache, "only what a cache saves"),
+    BENCH_GL,
+    BENCH_HELP,
+};
+
+int bench_batch(const BenchOptions *options)
 {
     BatchFolder folder;
-    const char *matc = MATC_PROGRAM;
-    int count = COUNT;
-    bool scene = true, speed = true, cache = false, timed = !bench_untimed(argc, argv);
-    GlKind gl = GL_KIND_osmesa;
-    for (int i = timed ? 1 : 2; i < argc; i++) {
-        if (!strcmp(argv[i], "--count") && i + 1 < argc)
-            count = atoi(argv[++i]);
-        else if (!strcmp(argv[i], "--matc") && i + 1 < argc)
-            matc = argv[++i];
-        else if (!strncmp(argv[i], "--gl=", 5) && gl_kind_find(argv[i] + 5, &gl))
-            continue;
-        else if (!strcmp(argv[i], "--scene"))
-            speed = false;
-        else if (!strcmp(argv[i], "--speed"))
-            scene = false;
-        else if (!strcmp(argv[i], "--cache"))
-            scene = speed = !(cache = true);
-        else
-            count = 0;
-    }
-    if (count < 1 || 4 * count > DIFFERENT_DOCUMENTS) {
-        fputs("usage: matbench batch [--untimed] [--count N] [--matc PROGRAM] [--speed | --scene | --cache] "
-              "[--gl=osmesa|egl]\n",
-              stderr);
-        return 2;
-    }
-    if (!batch_folder_make(&folder, matc)) {
+    const int count = options->count ? options->count : COUNT;
+    const bool timed = options->timed, cache = options->cache;
+    const bool speed = !cache && (options->speed || !options->scene);
+    const bool scene = !cache && (options->scene || !options->speed);
+    if (!batch_folder_make(&folder, options->matc ? options->matc : MATC_PROGRAM)) {
         perror(folder.path);
         return 1;
     }
     bool fine = (!speed || (measure_speed(&folder, count, timed) && measure_memory(&folder, count, timed))) &&
                 (!cache || (batch_folder_fill(&folder, "m", count, write_scene) && measure_cache(&folder, count))) &&
-                (!scene || batch_measure_scene(&folder, gl, timed));
+                (!scene || batch_measure_scene(&folder, options->gl, timed));
     batch_folder_remove(&folder);
     return !fine;
 }

@@ -132,10 +132,9 @@ static void print_kind(int dimensions, CellsDistance how)
     }
 }
 
-int bench_cells(int argc, char **argv)
+int bench_cells(const BenchOptions *options)
 {
-    (void)argc;
-    (void)argv;
+    (void)options;
     for (int dimensions = 2; dimensions <= 3; dimensions++)
         for (int how = 0; how <= CELLS_CHEBYSHEV; how++)
             print_kind(dimensions, (CellsDistance)how);

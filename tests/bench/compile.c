@@ -257,15 +257,15 @@ static char *read_program(const char *path)
     return text;
 }
 
-int bench_glslang(int argc, char **argv)
+int bench_glslang(const BenchOptions *options)
 {
-    if (argc != 3)
+    if (options->word_count != 2)
         return 2;
     Arena arena = {0};
     const char *log;
-    MatcOptions options = options_for(true);
-    Session session = {.options = &options, .arena = &arena};
-    char *vertex = read_program(argv[1]), *fragment = read_program(argv[2]);
+    MatcOptions checked = options_for(true);
+    Session session = {.options = &checked, .arena = &arena};
+    char *vertex = read_program(options->words[0]), *fragment = read_program(options->words[1]);
     bool fine = validate(&session, TARGET_glsl330, &(ProgramTexts){vertex, fragment, 0}, &log);
     free(vertex);
     free(fragment);
@@ -273,10 +273,10 @@ int bench_glslang(int argc, char **argv)
     return !fine;
 }
 
-int bench_compile(int argc, char **argv)
+int bench_compile(const BenchOptions *options)
 {
     const size_t size = sizeof peers_document - 1;
-    bool timed = !bench_untimed(argc, argv);
+    bool timed = options->timed;
     arena_keep_pages(); /* as matc does */
     const MatcOptions plain = options_for(false), checked = options_for(true);
     bench_show("one document");
@@ -289,8 +289,8 @@ int bench_compile(int argc, char **argv)
     print_stages(timed);
     print_formula(timed);
     print_ladder(timed);
-    if (argc > 1)
-        timed ? print_process(argv[1]) : put_process(NAN, NAN, NAN);
+    if (options->word_count)
+        timed ? print_process(options->words[0]) : put_process(NAN, NAN, NAN);
     printf("peak memory %s KiB\n", NUMBER(0, timed ? (double)bench_peak_memory() : NAN));
     return 0;
 }

@@ -11,15 +11,6 @@
 
 enum { SIDE = 1024, TEXT = 2048, FRAMES = 5, SMOOTHINGS = 3, CRATERS = 400 };
 
-typedef struct {
-    GlKind kind;
-    bool timed;
-    const char *map;
-    const char *plot; /* or NULL: of the charts beside the table */
-    int most; /* triangles */
-    unsigned tables;
-} Arguments;
-
 /* -- heights over a square whose edge is 1, at points a whole number of steps from its corner, linear between them */
 
 typedef struct {
@@ -184,7 +175,7 @@ static void unit_square(Shape *square)
             square->vertices[i].position[lane] = square->vertices[i].position[lane] > 0 ? 1 : 0;
 }
 
-static bool measure_error(GlContext *gl, const Arguments *a)
+static bool measure_error(GlContext *gl, const BenchOptions *a)
 {
     Field f = {0};
     Shape square;
@@ -196,7 +187,7 @@ static bool measure_error(GlContext *gl, const Arguments *a)
            a->map ? "a map, 0.25 high" : "craters", f.side, f.side, "triangles", "evenly", "most", "by bisection",
            "most", "ratio", "seconds");
     static const int rows[] = {8192, 32768, 45000, 131072, 524288, 2097152};
-    for (int row = 0; row < (int)(sizeof rows / sizeof *rows) && rows[row] <= a->most; row++) {
+    for (int row = 0; row < (int)(sizeof rows / sizeof *rows) && rows[row] <= a->triangles; row++) {
         const int triangles = rows[row];
         Shape shape[2];
         if (!even(&f, &square, triangles, &shape[0]))
@@ -217,27 +208,27 @@ static bool measure_error(GlContext *gl, const Arguments *a)
     return true;
 }
 
-static bool measure_speed(GlContext *gl, const Arguments *a) { return displacement_speed(gl, a->timed, a->most / 4); }
+static bool measure_speed(GlContext *gl, const BenchOptions *a) { return displacement_speed(gl, a->timed, a->triangles / 4); }
 
-static bool measure_programs(GlContext *gl, const Arguments *a)
+static bool measure_programs(GlContext *gl, const BenchOptions *a)
 {
-    return displacement_programs(gl, a->timed, a->most / 4);
+    return displacement_programs(gl, a->timed, a->triangles / 4);
 }
 
-static bool measure_table(GlContext *gl, const Arguments *a) { return displacement_table(gl, a->timed, a->most, a->plot); }
+static bool measure_table(GlContext *gl, const BenchOptions *a) { return displacement_table(gl, a->timed, a->triangles, a->plot); }
 
-static bool measure_bisection(GlContext *gl, const Arguments *a)
+static bool measure_bisection(GlContext *gl, const BenchOptions *a)
 {
-    return displacement_bisection(gl, a->timed, a->most / 4);
+    return displacement_bisection(gl, a->timed, a->triangles / 4);
 }
 
-static bool measure_silhouettes(GlContext *gl, const Arguments *a)
+static bool measure_silhouettes(GlContext *gl, const BenchOptions *a)
 {
     (void)a;
     return displacement_silhouettes(gl);
 }
 
-static bool measure_slopes(GlContext *gl, const Arguments *a)
+static bool measure_slopes(GlContext *gl, const BenchOptions *a)
 {
     (void)gl;
     (void)a;
@@ -248,7 +239,7 @@ static bool measure_slopes(GlContext *gl, const Arguments *a)
 
 static const struct {
     const char *name;
-    bool (*measure)(GlContext *, const Arguments *);
+    bool (*measure)(GlContext *, const BenchOptions *);
     bool asked; /* for alone, by its name */
 } tables[] = {{"error", measure_error, false},
               {"speed", measure_speed, false},
@@ -259,36 +250,28 @@ static const struct {
               {"table", measure_table, true}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
-static bool read_argument(const char *text, Arguments *a)
+const char *bench_displacement_table(const void *user, int i)
 {
-    for (int i = 0; i < TABLES; i++)
-        if (!strcmp(text, tables[i].name)) {
-            a->tables |= 1u << i;
-            return true;
-        }
-    if (!strncmp(text, "--map=", 6))
-        return a->map = text + 6, true;
-    if (!strncmp(text, "--plot=", 7))
-        return a->plot = text + 7, true;
-    if (!strncmp(text, "--triangles=", 12))
-        return a->most = atoi(text + 12), a->most >= 8192 && a->most <= 1 << 24;
-    if (!strcmp(text, "--untimed"))
-        return a->timed = false, true;
-    return !strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &a->kind);
+    (void)user;
+    return i < TABLES ? tables[i].name : NULL;
 }
 
-int bench_displacement(int argc, char **argv)
+const Option bench_displacement_options[] = {
+    BENCH_UNTIMED,
+    BENCH_GL,
+    BENCH_TEXT("--map", map, "=FILE", "heights of an image instead of craters"),
+    BENCH_INT("--triangles", triangles, "=N", 8192, 1 << 24, "a number from 8192 to 16777216",
+              "the most that are drawn: 524288"),
+    BENCH_TEXT("--plot", plot, "=BASENAME", "charts beside the table"),
+    BENCH_HELP,
+};
+
+int bench_displacement(const BenchOptions *options)
 {
     char error[4096];
-    Arguments a = {.kind = GL_KIND_osmesa, .timed = true, .most = 1 << 19};
-    for (int i = 1; i < argc; i++)
-        if (!read_argument(argv[i], &a)) {
-            fputs("usage: matbench displacement [--untimed] [--gl=osmesa|egl] [--map=FILE] [--triangles=N] [--plot=BASENAME] [error] "
-                  "[speed] [programs] [bisection] [silhouettes] [slopes] [table]\n",
-                  stderr);
-            return 2;
-        }
-    GlContext *gl = gl_open(a.kind, true, error, sizeof error);
+    BenchOptions a = *options;
+    a.triangles = a.triangles ? a.triangles : 1 << 19;
+    GlContext *gl = gl_open(a.gl, true, error, sizeof error);
     bool fine = gl || fprintf(stderr, "matbench: %s\n", error) < 0;
     if (fine && a.timed)
         printf("%s\n", gl->renderer);

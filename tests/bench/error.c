@@ -70,47 +70,6 @@ bool error_material(ErrorBench *bench, const MatcDocument *document, const Varia
     return fine;
 }
 
-typedef struct {
-    bool quick;
-    GlKind gl;
-    double seconds;
-    const char *csv, *plot, *page;
-} Arguments;
-
-/* "--name=value", or "--name value". NULL: another argument. */
-static const char *value_of(const char *name, int argc, char **argv, int *i)
-{
-    size_t size = strlen(name);
-    if (strncmp(argv[*i], name, size) != 0)
-        return NULL;
-    if (argv[*i][size] == '=')
-        return argv[*i] + size + 1;
-    return !argv[*i][size] && *i + 1 < argc ? argv[++*i] : NULL;
-}
-
-static bool read_arguments(Arguments *a, int argc, char **argv)
-{
-    for (int i = 1; i < argc; i++) {
-        const char *value;
-        if (!strcmp(argv[i], "--quick"))
-            a->quick = true;
-        else if ((value = value_of("--seconds", argc, argv, &i)))
-            a->seconds = atof(value);
-        else if ((value = value_of("--gl", argc, argv, &i))) {
-            if (!gl_kind_find(value, &a->gl))
-                return false;
-        } else if ((value = value_of("--csv", argc, argv, &i)))
-            a->csv = value;
-        else if ((value = value_of("--plot", argc, argv, &i)))
-            a->plot = value;
-        else if ((value = value_of("--page", argc, argv, &i)))
-            a->page = value;
-        else
-            return false;
-    }
-    return true;
-}
-
 static bool write_text(const char *path, const char *text)
 {
     const char *why = output_write(path, text, strlen(text));
@@ -158,14 +117,14 @@ static void print_targets(const ErrorBench *bench)
 }
 
 /* The plot as the page names it: relative to the page's folder. */
-static const char *plot_from_page(const Arguments *a)
+static const char *plot_from_page(const BenchOptions *a)
 {
     const char *slash = a->page ? strrchr(a->page, '/') : NULL;
     size_t folder = slash ? (size_t)(slash - a->page) + 1 : 0;
     return a->plot && folder && !strncmp(a->plot, a->page, folder) ? a->plot + folder : a->plot ? a->plot : "accuracy";
 }
 
-static int finish(ErrorBench *bench, const Arguments *a, const char *csv, char *const *parts)
+static int finish(ErrorBench *bench, const BenchOptions *a, const char *csv, char *const *parts)
 {
     bool done = !a->csv || write_text(a->csv, csv);
     if (a->plot)
@@ -183,25 +142,30 @@ static int finish(ErrorBench *bench, const Arguments *a, const char *csv, char *
     return done ? 0 : 1;
 }
 
-int bench_error(int argc, char **argv)
+const Option bench_error_options[] = {
+    BENCH_FLAG("--quick", quick, "coarse, in half a minute"),
+    {"--seconds", OPTION_real, BENCH_AT(seconds), .label = "=N", .min = 0, .max = 1e6,
+     .wants = "--seconds wants a number", .help = "that each variant is drawn for"},
+    BENCH_GL,
+    BENCH_TEXT("--csv", csv, " FILE", "where the measurements are written"),
+    BENCH_TEXT("--plot", plot, " BASENAME", "where the plots are written"),
+    BENCH_TEXT("--page", page, " FILE", "where the page of docs/ is written"),
+    BENCH_HELP,
+};
+
+int bench_error(const BenchOptions *options)
 {
-    Arguments arguments = {0};
     char error[4096], *csv, *parts[SECTION_PART_count];
     size_t sizes[1 + SECTION_PART_count];
-    if (!read_arguments(&arguments, argc, argv)) {
-        fputs("usage: matbench error [--quick] [--seconds=N] [--gl=osmesa|egl] [--csv FILE] [--plot BASENAME] [--page "
-              "FILE]\n",
-              stderr);
-        return 2;
-    }
     ErrorBench *bench = calloc(1, sizeof *bench);
-    bench->quick = arguments.quick;
-    for (int i = 0; i < argc; i++) {
+    bench->quick = options->quick;
+    for (int i = 0; i < options->argument_count; i++) {
         size_t size = strlen(bench->command);
-        snprintf(bench->command + size, sizeof bench->command - size, i ? " %s" : "build/matbench %s", argv[i]);
+        snprintf(bench->command + size, sizeof bench->command - size, i ? " %s" : "build/matbench %s",
+                 options->arguments[i]);
     }
-    bench->seconds = arguments.seconds > 0 ? arguments.seconds : arguments.quick ? quick_seconds : full_seconds;
-    bench->meter = meter_open(arguments.gl, error, sizeof error);
+    bench->seconds = options->seconds > 0 ? options->seconds : options->quick ? quick_seconds : full_seconds;
+    bench->meter = meter_open(options->gl, error, sizeof error);
     if (!bench->meter) {
         fprintf(stderr, "matbench: %s\n", error);
         free(bench);
@@ -216,7 +180,7 @@ int bench_error(int argc, char **argv)
     fclose(bench->csv);
     for (int i = 0; i < SECTION_PART_count; i++)
         fclose(bench->part[i]);
-    int status = finish(bench, &arguments, csv, parts);
+    int status = finish(bench, options, csv, parts);
     for (int i = 0; i < SECTION_PART_count; i++)
         free(parts[i]);
     free(csv);

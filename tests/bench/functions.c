@@ -72,10 +72,10 @@ static void put_row(const Row *row, const Worst *worst)
         printf("%-10s %-12s absolute   %8s  %.0e\n", row->name, range, seen, row->stated);
 }
 
-int bench_functions(int argc, char **argv)
+int bench_functions(const BenchOptions *options)
 {
     Canvas canvas;
-    bool drawn = !bench_untimed(argc, argv), fine = true;
+    bool drawn = options->timed, fine = true;
     static float rgba[4 * PIXELS];
     if (drawn && !canvas_open(&canvas, SIDE)) {
         fprintf(stderr, "matbench: %s\n", canvas.error);

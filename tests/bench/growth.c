@@ -7,12 +7,12 @@
 
 enum { SIZES = 4, RUNS = 3 };
 
-static bool is_wanted(const char *name, int argc, char **argv)
+static bool is_wanted(const char *name, const BenchOptions *options)
 {
-    for (int i = 1; i < argc; i++)
-        if (!strcmp(argv[i], name))
+    for (int i = 0; i < options->word_count; i++)
+        if (!strcmp(options->words[i], name))
             return true;
-    return argc == 1;
+    return !options->word_count;
 }
 
 static void print_row(const GrowthRow *row)
@@ -41,15 +41,15 @@ static void print_batch(const GrowthBatch *row)
     printf(" %8.2f\n", log(seconds[SIZES - 1] / seconds[0]) / log(GROWTH_FACTOR));
 }
 
-int bench_growth(int argc, char **argv)
+int bench_growth(const BenchOptions *options)
 {
     printf("%-20s %-34s %6s %9s %9s %9s %9s %8s %8s %8s %6s\n", "document", "options", "n", "n: ms", "2 n", "4 n",
            "8 n", "exponent", "KiB read", "written", "errors");
     for (int i = 0; i < growth_count; i++)
-        if (is_wanted(growth_table[i].name, argc, argv))
+        if (is_wanted(growth_table[i].name, options))
             print_row(&growth_table[i]);
     for (int i = 0; i < growth_batch_count; i++)
-        if (is_wanted(growth_batches[i].name, argc, argv))
+        if (is_wanted(growth_batches[i].name, options))
             print_batch(&growth_batches[i]);
     return 0;
 }

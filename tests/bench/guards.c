@@ -88,12 +88,12 @@ static bool has_formula(const Node *node)
     return false;
 }
 
-int bench_guards(int argc, char **argv)
+int bench_guards(const BenchOptions *options)
 {
     DocumentList list = documents_list(SOURCE_FOLDER);
     Guards all = {0};
     int programs = 0, without = 0;
-    (void)argc, (void)argv;
+    (void)options;
     printf("document                               guards made   left\n");
     for (int i = 0; i < list.count; i++) {
         Document d;

@@ -14,16 +14,6 @@
 enum { TEXT = 2048, FRAMES = 9, WIDE = 256, HIGH = 128, ACROSS = 4 };
 
 typedef struct {
-    GlKind kind;
-    bool timed;
-    const char *mesh, *lift; /* a file, y up, and how far it is above the ground */
-    int size;                /* of the grid */
-    int edge;                /* of the table's pictures */
-    const char *meshes;      /* a folder, or NULL */
-    unsigned tables;
-} Arguments;
-
-typedef struct {
     GlContext *gl;
     MatcDocument *document;
     Scene *scene;
@@ -32,7 +22,7 @@ typedef struct {
 
 /* -- a ball or a mesh on a slab, drawn once as voxels */
 
-static void put_scene(const Arguments *a, int detail, char text[TEXT])
+static void put_scene(const BenchOptions *a, int detail, char text[TEXT])
 {
     char body[TEXT / 4];
     if (a->mesh)
@@ -48,10 +38,10 @@ static void put_scene(const Arguments *a, int detail, char text[TEXT])
         text, TEXT,
         "image: { width: 16, height: 16 }\nvoxels: { size: %d }\nmaterials: { m: { material: Phong, diffuse: .6 } }\n"
         "objects:\n- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n- %s\n",
-        a->size, body);
+        a->voxels, body);
 }
 
-static bool open_place(GlContext *gl, const Arguments *a, int detail, Place *p)
+static bool open_place(GlContext *gl, const BenchOptions *a, int detail, Place *p)
 {
     char text[TEXT];
     MatcOptions compile;
@@ -159,7 +149,7 @@ static int count_others(const uint32_t *a, const uint32_t *b, int words)
     return count;
 }
 
-static bool measure_maps(GlContext *gl, const Arguments *a)
+static bool measure_maps(GlContext *gl, const BenchOptions *a)
 {
     static const int details[] = {264, 933};
     printf("\nslice maps of %d voxels along an edge, with bricks: least milliseconds; what the levels above take more, "
@@ -167,7 +157,7 @@ static bool measure_maps(GlContext *gl, const Arguments *a)
            "views show; surfaces by the rasteriser, and voxels that are others by it; bricks alone\n%-10s %10s %10s "
            "%8s %10s %10s %8s "
            "%10s\n",
-           a->size, "triangles", "bodies", "levels", "share", "surfaces", "drawn", "others", "bricks");
+           a->voxels, "triangles", "bodies", "levels", "share", "surfaces", "drawn", "others", "bricks");
     for (int i = 0; i < (a->mesh ? 1 : 2); i++) {
         Place p;
         double times[4];
@@ -254,7 +244,7 @@ static const char by_march[] = "bool pointRay(vec3 from, vec3 way, float far, ou
                                "    float t;\n    bool met = voxelMarch(from, far * way, 32, 0.5, t);\n"
                                "    count = met ? t * 32.0 - 0.5 : 32.0;\n    return met;\n}\n";
 
-static bool measure_rays(GlContext *gl, const Arguments *a)
+static bool measure_rays(GlContext *gl, const BenchOptions *a)
 {
     static const struct {
         const char *name, *glsl[2];
@@ -269,7 +259,7 @@ static bool measure_rays(GlContext *gl, const Arguments *a)
     printf("\nrays of a quarter of the scene, %d voxels along an edge: bricks or voxels that one reads, share that "
            "meets nothing, nanoseconds\n"
            "%-16s %8s %8s %8s\n",
-           a->size, "by", "reads", "open", "ns");
+           a->voxels, "by", "reads", "open", "ns");
     for (size_t i = 0; fine && i < sizeof ways / sizeof *ways; i++) {
         VoxelPointsPass pass;
         double reads = 0, open = 0, least = INFINITY;
@@ -277,7 +267,7 @@ static bool measure_rays(GlContext *gl, const Arguments *a)
         for (int k = 0; fine && k < (a->timed ? 4 : 1); k++) {
             gl->Finish();
             const double begin = bench_now();
-            voxel_points_run(p.render, &pass, .25f * (float)a->size, 0);
+            voxel_points_run(p.render, &pass, .25f * (float)a->voxels, 0);
             gl->Finish();
             least = fmin(least, bench_now() - begin);
         }
@@ -298,27 +288,27 @@ static bool measure_rays(GlContext *gl, const Arguments *a)
     return fine;
 }
 
-static bool measure_path(GlContext *gl, const Arguments *a)
+static bool measure_path(GlContext *gl, const BenchOptions *a)
 {
     (void)a;
     return bench_indirect_path(gl);
 }
 
-static bool measure_passes(GlContext *gl, const Arguments *a)
+static bool measure_passes(GlContext *gl, const BenchOptions *a)
 {
-    return bench_indirect_passes(gl, &(IndirectPasses){a->mesh, a->lift, a->edge, a->timed});
+    return bench_indirect_passes(gl, &(IndirectPasses){a->mesh, a->lift, a->pixels, a->timed});
 }
 
-static bool measure_table(GlContext *gl, const Arguments *a)
+static bool measure_table(GlContext *gl, const BenchOptions *a)
 {
-    return bench_indirect_table(gl, &(IndirectTable){a->meshes, a->edge, a->timed});
+    return bench_indirect_table(gl, &(IndirectTable){a->meshes, a->pixels, a->timed});
 }
 
 /* -- the command */
 
 static const struct {
     const char *name;
-    bool (*measure)(GlContext *, const Arguments *);
+    bool (*measure)(GlContext *, const BenchOptions *);
 } tables[] = {{"maps", measure_maps},
               {"rays", measure_rays},
               {"path", measure_path},
@@ -326,40 +316,33 @@ static const struct {
               {"table", measure_table}};
 enum { TABLES = sizeof tables / sizeof *tables, LONG = 3 }; /* what takes minutes is measured only by its name */
 
-static bool read_argument(const char *text, Arguments *a)
+const char *bench_indirect_table_name(const void *user, int i)
 {
-    for (int i = 0; i < TABLES; i++)
-        if (!strcmp(text, tables[i].name)) {
-            a->tables |= 1u << i;
-            return true;
-        }
-    if (!strncmp(text, "--mesh=", 7))
-        return a->mesh = text + 7, true;
-    if (!strncmp(text, "--lift=", 7))
-        return a->lift = text + 7, true;
-    if (!strncmp(text, "--meshes=", 9))
-        return a->meshes = text + 9, true;
-    if (!strncmp(text, "--size=", 7))
-        return a->edge = atoi(text + 7), a->edge >= 16 && a->edge <= 4096;
-    if (!strncmp(text, "--voxels=", 9))
-        return a->size = atoi(text + 9), a->size >= 32 && a->size <= 512;
-    if (!strcmp(text, "--untimed"))
-        return a->timed = false, true;
-    return !strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &a->kind);
+    (void)user;
+    return i < TABLES ? tables[i].name : NULL;
 }
 
-int bench_indirect(int argc, char **argv)
+const Option bench_indirect_options[] = {
+    BENCH_UNTIMED,
+    BENCH_GL,
+    BENCH_TEXT("--mesh", mesh, "=FILE", "a mesh instead of balls; y is up"),
+    BENCH_TEXT("--lift", lift, "=HEIGHT", "how far the mesh is above the ground: 0"),
+    BENCH_INT("--voxels", voxels, "=N", 32, 512, "a number from 32 to 512",
+              "along an edge of the grid: 128"),
+    BENCH_TEXT("--meshes", meshes, "=FOLDER", "where the meshes of the thesis are"),
+    BENCH_INT("--size", pixels, "=PIXELS", 16, 4096, "a number from 16 to 4096",
+              "of an edge of the pictures: 512"),
+    BENCH_HELP,
+};
+
+int bench_indirect(const BenchOptions *options)
 {
     char error[4096];
-    Arguments a = {.kind = GL_KIND_osmesa, .timed = true, .size = 128, .edge = 512, .lift = "0"};
-    for (int i = 1; i < argc; i++)
-        if (!read_argument(argv[i], &a)) {
-            fputs("usage: matbench indirect [--untimed] [--gl=osmesa|egl] [--mesh=FILE] [--lift=HEIGHT] [--voxels=N] "
-                  "[--meshes=FOLDER] [--size=PIXELS] [maps] [rays] [path] [passes] [table]\n",
-                  stderr);
-            return 2;
-        }
-    GlContext *gl = gl_open(a.kind, true, error, sizeof error);
+    BenchOptions a = *options;
+    a.voxels = a.voxels ? a.voxels : 128;
+    a.pixels = a.pixels ? a.pixels : 512;
+    a.lift = a.lift ? a.lift : "0";
+    GlContext *gl = gl_open(a.gl, true, error, sizeof error);
     bool fine = gl || fprintf(stderr, "matbench: %s\n", error) < 0;
     if (fine && a.timed)
         printf("%s\n", gl->renderer);

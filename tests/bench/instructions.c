@@ -182,9 +182,9 @@ static bool put_row(const char *name, int hand, int mine)
     return hand >= 0 && mine >= 0 && ratio <= LARGEST_RATIO;
 }
 
-int bench_instructions(int argc, char **argv)
+int bench_instructions(const BenchOptions *options)
 {
-    (void)argc, (void)argv;
+    (void)options;
     bool fine = true;
     if (!has_spirv_opt())
         return SKIPPED;

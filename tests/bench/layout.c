@@ -92,9 +92,9 @@ static void put_row(Canvas *canvas, const FieldRow *field)
 }
 
 /* Every encoding that has a function, at the widths that are asked about. */
-int bench_layout(int argc, char **argv)
+int bench_layout(const BenchOptions *options)
 {
-    bool timed = !bench_untimed(argc, argv);
+    bool timed = options->timed;
     static const int widths[] = {7, 8, 9, 12, 16, 32};
     Canvas canvas;
     if (timed && !canvas_open(&canvas, SIDE)) {

@@ -1,7 +1,9 @@
 /* What the benchmarks share: time, medians, tables. */
 #ifndef MATBENCH_H
 #define MATBENCH_H
+#include "compiler/base/option.h"
 #include "compiler/matc.h"
+#include "runtime/gl/context.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -17,8 +19,38 @@ long bench_peak_memory(void);
 enum { BENCH_NUMBER = 32 };
 #define NUMBER(decimals, value) bench_number((char[BENCH_NUMBER]){0}, decimals, value)
 const char *bench_number(char text[BENCH_NUMBER], int decimals, double value);
-/* It is the subcommand's first option. */
-bool bench_untimed(int argc, char **argv);
+/* The options of all subcommands; what was not given is 0 or NULL, but for `timed`. */
+typedef struct {
+    bool timed; /* false after --untimed */
+    bool quick, speed, scene, cache, help;
+    GlKind gl;
+    const char *csv, *plot, *page, *mesh, *meshes, *lift, *map, *only, *matc;
+    int count, triangles, maps, voxels, pixels, size[2];
+    double seconds;
+    SuggestName *table;   /* the names of the subcommand's tables; NULL: it has none */
+    unsigned tables;      /* a bit for each table that was named; 0: none was */
+    const char **words;   /* arguments of a subcommand without tables */
+    int word_count;
+    char **arguments; /* as they were typed, from the subcommand on */
+    int argument_count;
+    Arena arena;
+} BenchOptions;
+
+/* Rows of a subcommand's options, which end with BENCH_HELP. */
+#define BENCH_AT(member) offsetof(BenchOptions, member)
+#define BENCH_TEXT(name_, member, label_, help_)                                                   \
+    {name_, OPTION_text, BENCH_AT(member), .label = label_, .help = help_}
+#define BENCH_FLAG(name_, member, help_) {name_, OPTION_flag, BENCH_AT(member), .help = help_}
+#define BENCH_INT(name_, member, label_, min_, max_, wants_, help_)                                \
+    {name_, OPTION_int, BENCH_AT(member), .label = label_, .min = min_, .max = max_,               \
+     .wants = name_ " wants " wants_, .help = help_}
+#define BENCH_UNTIMED                                                                              \
+    {"--untimed", OPTION_clear, BENCH_AT(timed), .help = "print - for what depends on the machine"}
+#define BENCH_GL                                                                                   \
+    {"--gl", OPTION_index, BENCH_AT(gl), .words = {bench_gl_name, NULL, GL_KIND_count},            \
+     .label = "=KIND", .help = "osmesa (default), egl: a GPU where there is one"}
+#define BENCH_HELP {"--help", OPTION_flag, BENCH_AT(help), .help = ""}
+const char *bench_gl_name(const void *user, int i);
 
 /* Says on a terminal what is measured now; "" takes it away, before a line is printed. Nothing where standard error is none. */
 void bench_show(const char *what);
@@ -28,45 +60,35 @@ double bench_compile_least(const char *text, size_t size, const MatcOptions *opt
 /* Instructions of its program for a layout, --aa=none, behind spirv-opt -O. -1: it does not compile, or spirv-opt is not there. */
 int bench_count(const char *path, const char *text, size_t size, const char *layout);
 
-/* One subcommand each; the exit status. */
-/* --untimed, the program matc. */
-int bench_compile(int argc, char **argv);
-/* glslang VERTEX FRAGMENT: only validates; what bench_compile compares a process of matc with. */
-int bench_glslang(int argc, char **argv);
-int bench_instructions(int argc, char **argv);
-/* --untimed. */
-int bench_layout(int argc, char **argv);
+/* One subcommand each; returns the exit status. `options` and `table` stand in matbench.c's rows. */
+int bench_batch(const BenchOptions *options);
+int bench_cells(const BenchOptions *options);
+int bench_compile(const BenchOptions *options);
+int bench_displacement(const BenchOptions *options);
+int bench_error(const BenchOptions *options);
+int bench_functions(const BenchOptions *options); /* 1: one errs by more than is stated */
+int bench_glslang(const BenchOptions *options);
+int bench_growth(const BenchOptions *options);
+int bench_guards(const BenchOptions *options);
+int bench_indirect(const BenchOptions *options);
+int bench_instructions(const BenchOptions *options);
+int bench_layout(const BenchOptions *options);
+int bench_noise(const BenchOptions *options);
+int bench_render(const BenchOptions *options); /* 1: pictures differ that must not */
+int bench_shadows(const BenchOptions *options);
+int bench_stress(const BenchOptions *options);
+int bench_surfaces(const BenchOptions *options); /* 1: a slot is off by more than is promised */
+int bench_thesis(const BenchOptions *options);
+extern const Option bench_batch_options[], bench_displacement_options[], bench_error_options[],
+    bench_indirect_options[], bench_noise_options[], bench_render_options[],
+    bench_shadows_options[], bench_thesis_options[];
+SuggestName bench_displacement_table, bench_indirect_table_name, bench_render_table,
+    bench_shadows_table, bench_thesis_table;
+
 /* Nanoseconds a pixel that the pass takes which writes a layout of layout_table, and one that reads all of it. */
-typedef struct GlContext GlContext;
 bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read);
-/* Its second table: whole passes. */
+/* The second table of bench_layout: whole passes. */
 int bench_layout_frame(bool timed);
 /* Its third: light passes of sets of materials. */
 int bench_layout_set(bool timed);
-/* Run time against error: --quick --gl=KIND --csv FILE --plot BASENAME --page FILE. */
-int bench_error(int argc, char **argv);
-/* Many materials in one process: --untimed --count N --matc PROGRAM --speed --scene. */
-int bench_batch(int argc, char **argv);
-/* --untimed: what is stated alone, since drivers differ. 1: one errs by more than is stated. */
-int bench_functions(int argc, char **argv);
-/* Noise beside that of others: --untimed --gl=KIND. */
-int bench_noise(int argc, char **argv);
-/* What a frame takes: --untimed --gl=KIND --size=WIDTHxHEIGHT --csv FILE, names of tables. 1: pictures differ that must not. */
-int bench_render(int argc, char **argv);
-/* Tables of Hartmann 2010, with its numbers beside ours: --untimed --quick --gl=KIND, names of tables. */
-int bench_thesis(int argc, char **argv);
-/* Shadows by every method: errors of their ends, times: --untimed --gl=KIND --triangles=N --mesh=FILE --maps=TEXELS, names of tables. */
-int bench_shadows(int argc, char **argv);
-/* The rows of grammar/cells.def, measured. */
-int bench_cells(int argc, char **argv);
-/* Voxels and rays through them, and the thesis' tables: --untimed --gl=KIND --mesh=FILE --lift=HEIGHT --voxels=N --meshes=FOLDER --size=PIXELS, names of tables. */
-int bench_indirect(int argc, char **argv);
-/* Displaced triangles: --untimed --gl=KIND --map=FILE --triangles=N, names of tables. */
-int bench_displacement(int argc, char **argv);
-/* Principled materials in 16 bytes a pixel: --untimed. 1: a slot is off by more than is promised. */
-int bench_surfaces(int argc, char **argv);
-int bench_stress(int argc, char **argv);
-/* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
-int bench_guards(int argc, char **argv);
-int bench_growth(int argc, char **argv);
 #endif

@@ -114,19 +114,14 @@ static bool measure(GlKind kind, double nanoseconds[ROW_COUNT])
     return done;
 }
 
-int bench_noise(int argc, char **argv)
+const Option bench_noise_options[] = {BENCH_UNTIMED, BENCH_GL, BENCH_HELP};
+
+int bench_noise(const BenchOptions *options)
 {
     double nanoseconds[ROW_COUNT];
-    GlKind kind = GL_KIND_osmesa;
-    bool timed = !bench_untimed(argc, argv);
-    const char *last = argc > 1 ? argv[argc - 1] : "--untimed";
-    if (strcmp(last, "--untimed") && (strncmp(last, "--gl=", 5) || !gl_kind_find(last + 5, &kind))) {
-        fprintf(stderr, "matbench: usage: matbench noise [--untimed] [--gl=osmesa|egl]\n");
-        return 2;
-    }
     for (int i = 0; i < ROW_COUNT; i++)
         nanoseconds[i] = NAN;
-    if (timed && !measure(kind, nanoseconds))
+    if (options->timed && !measure(options->gl, nanoseconds))
         return 1;
     printf("%-54s ns a pixel  times faster\n", "four octaves");
     for (int i = 0; i < ROW_COUNT; i++)

@@ -156,14 +156,6 @@ static const char *table_name(int table)
     return table < SERIES ? series[table].name : others[table - SERIES].name;
 }
 
-static unsigned table_of(const char *name)
-{
-    int table = 0;
-    while (table < (int)TABLES && strcmp(name, table_name(table)) != 0)
-        table++;
-    return table < (int)TABLES ? 1u << table : 0;
-}
-
 static bool measure(const Bench *bench, unsigned tables)
 {
     bool fine = true;
@@ -182,41 +174,38 @@ static void choose_size(Bench *bench)
     bench->height = bench->height ? bench->height : size[1];
 }
 
-typedef struct {
-    unsigned tables;
-    GlKind gl;
-    const char *csv;
-    int size[2];
-    bool timed;
-} Arguments;
-
-static bool read_arguments(int argc, char **argv, Arguments *made)
+const char *bench_render_table(const void *user, int i)
 {
-    *made = (Arguments){.gl = GL_KIND_osmesa, .timed = !bench_untimed(argc, argv)};
-    for (int i = made->timed ? 1 : 2; i < argc; i++) {
-        const unsigned table = table_of(argv[i]);
-        made->tables |= table;
-        if (!strcmp(argv[i], "--csv") && i + 1 < argc)
-            made->csv = argv[++i];
-        else if (!table && (strncmp(argv[i], "--gl=", 5) != 0 || !gl_kind_find(argv[i] + 5, &made->gl)) &&
-                 sscanf(argv[i], "--size=%dx%d", &made->size[0], &made->size[1]) != 2)
-            return false;
-    }
-    if (!made->timed)
-        made->gl = GL_KIND_osmesa; /* what is left is the same everywhere */
-    made->tables = made->tables ? made->tables : (1u << TABLES) - 1;
-    return made->size[0] >= 0 && made->size[1] >= 0;
+    (void)user;
+    return i < (int)TABLES ? table_name(i) : NULL;
 }
 
-static int run(const Arguments *arguments)
+static const char *set_size(void *to, const Option *option, const char *value)
+{
+    BenchOptions *o = to;
+    int *size = o->size;
+    const bool fine = sscanf(value, "%dx%d", &size[0], &size[1]) == 2 && size[0] >= 0 && size[1] >= 0;
+    return fine ? NULL : option_fault_number(&o->arena, option->wants, value);
+}
+
+const Option bench_render_options[] = {
+    BENCH_UNTIMED,
+    BENCH_GL,
+    {"--size", OPTION_text, .set = set_size, .label = "=WIDTHxHEIGHT",
+     .wants = "--size wants WIDTHxHEIGHT", .help = "pixels of a frame"},
+    BENCH_TEXT("--csv", csv, " FILE", "where the measurements are written"),
+    BENCH_HELP,
+};
+
+int bench_render(const BenchOptions *options)
 {
     char error[4096];
-    Bench bench = {.timed = arguments->timed, .width = arguments->size[0], .height = arguments->size[1], .seconds = 1};
+    Bench bench = {.timed = options->timed, .width = options->size[0], .height = options->size[1], .seconds = 1};
     matc_options_init(&bench.compile);
     bench.compile.pixels = true;
-    bench.gl = gl_open(arguments->gl, true, error, sizeof error);
-    bench.csv = bench.gl && arguments->csv ? fopen(arguments->csv, "w") : NULL;
-    if (!bench.gl || (arguments->csv && !bench.csv)) {
+    bench.gl = gl_open(options->timed ? options->gl : GL_KIND_osmesa, true, error, sizeof error);
+    bench.csv = bench.gl && options->csv ? fopen(options->csv, "w") : NULL;
+    if (!bench.gl || (options->csv && !bench.csv)) {
         fprintf(stderr, "matbench: %s\n", bench.gl ? "the CSV file cannot be written" : error);
         gl_close(bench.gl);
         return 1;
@@ -224,20 +213,8 @@ static int run(const Arguments *arguments)
     choose_size(&bench);
     if (bench.timed)
         printf("%s, %d x %d pixels\n", bench.gl->renderer, bench.width, bench.height);
-    bool fine = measure(&bench, arguments->tables);
+    bool fine = measure(&bench, options->tables ? options->tables : (1u << TABLES) - 1);
     fine = (!bench.csv || !fclose(bench.csv)) && fine;
     gl_close(bench.gl);
     return !fine;
-}
-
-int bench_render(int argc, char **argv)
-{
-    Arguments arguments;
-    if (read_arguments(argc, argv, &arguments))
-        return run(&arguments);
-    fputs(
-        "usage: matbench render [--untimed] [--gl=osmesa|egl] [--size=WIDTHxHEIGHT] [--csv FILE] [materials] [lights] "
-        "[objects] [passes] [fragments] [surfaces]\n",
-        stderr);
-    return 2;
 }

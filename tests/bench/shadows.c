@@ -10,17 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct {
-    const char *plot; /* or NULL */
-    GlKind kind;
-    const char *mesh; /* a file, or a name of tests/meshes; or NULL */
-    const char *only; /* the word of the methods that are measured beside PCF; or NULL */
-    int triangles;    /* else, of a ball with bumps, about */
-    int map_size;
-    bool timed, quick;
-    unsigned tables;
-} Arguments;
-
 /* -- errors */
 
 static bool measure_receiver(const Shadows *s, ShadowsScene which, double errors[SHADOWS_METHODS_MOST])
@@ -110,47 +99,36 @@ static const struct {
               {"table1", shadows_table1}};
 enum { TABLES = sizeof tables / sizeof *tables, TABLE_1 = 1 << (TABLES - 1) /* only where it is asked for */ };
 
-static bool read_argument(const char *text, Arguments *made)
+const char *bench_shadows_table(const void *user, int i)
 {
-    for (int i = 0; i < TABLES; i++)
-        if (!strcmp(text, tables[i].name)) {
-            made->tables |= 1u << i;
-            return true;
-        }
-    if (!strncmp(text, "--mesh=", 7))
-        made->mesh = text + 7;
-    if (!strncmp(text, "--plot=", 7))
-        made->plot = text + 7;
-    if (!strncmp(text, "--only=", 7))
-        made->only = text + 7;
-    if (!strcmp(text, "--quick"))
-        return made->quick = true;
-    return made->only == text + 7 || made->mesh == text + 7 || made->plot == text + 7 ||
-           (!strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &made->kind)) ||
-           sscanf(text, "--triangles=%d", &made->triangles) == 1 || sscanf(text, "--maps=%d", &made->map_size) == 1;
+    (void)user;
+    return i < TABLES ? tables[i].name : NULL;
 }
 
-static bool read_arguments(int argc, char **argv, Arguments *made)
-{
-    *made =
-        (Arguments){.kind = GL_KIND_osmesa, .triangles = 8000, .map_size = 256, .timed = !bench_untimed(argc, argv)};
-    for (int i = made->timed ? 1 : 2; i < argc; i++)
-        if (!read_argument(argv[i], made))
-            return false;
-    made->tables = made->tables ? made->tables : ((1u << TABLES) - 1) & ~(unsigned)TABLE_1;
-    return made->triangles >= 100 && made->triangles <= 4000000 && made->map_size >= 16 && made->map_size <= 8192;
-}
+const Option bench_shadows_options[] = {
+    BENCH_UNTIMED,
+    BENCH_GL,
+    BENCH_INT("--triangles", triangles, "=N", 100, 4000000, "a number from 100 to 4000000",
+              "about as many of a ball with bumps: 8000"),
+    BENCH_TEXT("--mesh", mesh, "=FILE|NAME", "a mesh instead, a file or a name of tests/meshes"),
+    BENCH_INT("--maps", maps, "=TEXELS", 16, 8192, "a number from 16 to 8192",
+              "along an edge of a shadow map: 256"),
+    BENCH_TEXT("--only", only, "=METHOD", "beside PCF"),
+    BENCH_TEXT("--plot", plot, "=BASENAME", "charts beside the table"),
+    BENCH_FLAG("--quick", quick, "polygons: times of few alone"),
+    BENCH_HELP,
+};
 
-static bool open_mesh(const Arguments *arguments, Shape *made)
+static bool open_mesh(const BenchOptions *options, Shape *made)
 {
     char error[4096];
-    if (!arguments->mesh)
-        return shadows_ball(arguments->triangles, made) || fputs("matbench: out of memory\n", stderr) < 0;
-    char *known = meshes_path(arguments->mesh);
-    const bool fine = model_read(known ? known : arguments->mesh, made, error, sizeof error);
+    if (!options->mesh)
+        return shadows_ball(options->triangles ? options->triangles : 8000, made) || fputs("matbench: out of memory\n", stderr) < 0;
+    char *known = meshes_path(options->mesh);
+    const bool fine = model_read(known ? known : options->mesh, made, error, sizeof error);
     if (!fine)
         fprintf(stderr, "matbench: %s%s\n", error,
-                strpbrk(arguments->mesh, "./") ? ""
+                strpbrk(options->mesh, "./") ? ""
                                                : "; sh tests/meshes/fetch.sh BUILD_FOLDER fetches those with a name");
     free(known);
     return fine;
@@ -174,36 +152,30 @@ static bool keep_only(const char *name, Shadows *s)
     return found || fprintf(stderr, "matbench: no light casts shadows by '%s'\n", name) < 0;
 }
 
-static int run(const Arguments *arguments)
+int bench_shadows(const BenchOptions *options)
 {
+    const unsigned chosen =
+        options->tables ? options->tables : ((1u << TABLES) - 1) & ~(unsigned)TABLE_1;
     char error[4096];
-    Shadows s = {.timed = arguments->timed, .quick = arguments->quick, .map_size = arguments->map_size, .plot = arguments->plot};
+    Shadows s = {.timed = options->timed,
+                 .quick = options->quick,
+                 .map_size = options->maps ? options->maps : 256,
+                 .plot = options->plot};
     matc_options_init(&s.compile);
     s.compile.pixels = true;
-    if (!open_mesh(arguments, &s.mesh))
+    if (!open_mesh(options, &s.mesh))
         return 1;
-    s.gl = gl_open(arguments->timed ? arguments->kind : GL_KIND_osmesa, true, error, sizeof error);
+    s.gl = gl_open(options->timed ? options->gl : GL_KIND_osmesa, true, error, sizeof error);
     bool fine = s.gl || fprintf(stderr, "matbench: %s\n", error) < 0;
     s.method_count = shadows_methods(s.methods, &s.pcf);
-    fine = fine && keep_only(arguments->only, &s);
-    if (fine && arguments->timed)
+    fine = fine && keep_only(options->only, &s);
+    if (fine && options->timed)
         printf("%s, ", s.gl->renderer);
     if (fine)
         printf("%d triangles\n", s.mesh.index_count / 3);
     for (int i = 0; fine && i < TABLES; i++)
-        fine = !(arguments->tables >> i & 1) || tables[i].measure(&s);
+        fine = !(chosen >> i & 1) || tables[i].measure(&s);
     gl_close(s.gl);
     shape_free(&s.mesh);
     return !fine;
-}
-
-int bench_shadows(int argc, char **argv)
-{
-    Arguments arguments;
-    if (read_arguments(argc, argv, &arguments))
-        return run(&arguments);
-    fputs("usage: matbench shadows [--untimed] [--gl=osmesa|egl] [--triangles=N] [--mesh=FILE|NAME] [--maps=TEXELS] "
-          "[--only=METHOD] [--plot=BASENAME] [errors] [steps] [times] [paths] [polygons] [claims] [table1] [--quick]\n",
-          stderr);
-    return 2;
 }

@@ -70,16 +70,17 @@ static bool read_options(StressOptions *o, int argc, char **argv)
     return matc_options_fault(&o->options) == NULL;
 }
 
-int bench_stress(int argc, char **argv)
+int bench_stress(const BenchOptions *given)
 {
     StressOptions options;
     TrialCount n = {0};
     stress_options_init(&options);
     options.folder = ".";
     options.progress = isatty(2);
-    if (!read_options(&options, argc, argv)) {
-        fputs(help, stderr);
-        return 2;
+    const bool asked = given->argument_count == 2 && !strcmp(given->arguments[1], "--help");
+    if (asked || !read_options(&options, given->argument_count, given->arguments)) {
+        fputs(help, asked ? stdout : stderr);
+        return asked ? 0 : 2;
     }
     double start = bench_now();
     int faults = stress_run(&options, &n);

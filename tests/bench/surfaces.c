@@ -168,9 +168,9 @@ static void put_cost(int which, bool timed)
     putchar('\n');
 }
 
-int bench_surfaces(int argc, char **argv)
+int bench_surfaces(const BenchOptions *options)
 {
-    const bool timed = !bench_untimed(argc, argv);
+    const bool timed = options->timed;
     char error[LONGEST_TEXT];
     Sweep *s = calloc(1, sizeof *s);
     if (!s)

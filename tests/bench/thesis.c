@@ -373,59 +373,37 @@ static const struct {
               {"stages", measure_stages}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
-typedef struct {
-    GlKind gl;
-    unsigned tables;
-    bool quick, timed;
-} Arguments;
-
-static bool read_argument(const char *text, Arguments *made)
+const char *bench_thesis_table(const void *user, int i)
 {
-    for (int i = 0; i < TABLES; i++)
-        if (!strcmp(text, tables[i].name)) {
-            made->tables |= 1u << i;
-            return true;
-        }
-    if (!strcmp(text, "--quick"))
-        made->quick = true;
-    else if (!strcmp(text, "--untimed"))
-        made->timed = false;
-    else
-        return !strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &made->gl);
-    return true;
+    (void)user;
+    return i < TABLES ? tables[i].name : NULL;
 }
 
-static int run(const Arguments *arguments)
+const Option bench_thesis_options[] = {
+    BENCH_UNTIMED,
+    BENCH_FLAG("--quick", quick, "fewer objects and lights"),
+    BENCH_GL,
+    BENCH_HELP,
+};
+
+int bench_thesis(const BenchOptions *options)
 {
+    const unsigned chosen = options->tables ? options->tables : (1u << TABLES) - 1;
     char error[4096];
-    Thesis t = {.bench = {.timed = arguments->timed, .width = SIDE, .height = SIDE, .seconds = 1},
-                .quick = arguments->quick || !arguments->timed};
+    Thesis t = {.bench = {.timed = options->timed, .width = SIDE, .height = SIDE, .seconds = 1},
+                .quick = options->quick || !options->timed};
     matc_options_init(&t.bench.compile);
     t.bench.compile.pixels = true;
-    t.bench.gl = gl_open(arguments->timed ? arguments->gl : GL_KIND_osmesa, true, error, sizeof error);
+    t.bench.gl = gl_open(options->timed ? options->gl : GL_KIND_osmesa, true, error, sizeof error);
     bool fine = t.bench.gl || fprintf(stderr, "matbench: %s\n", error) < 0;
-    if (fine && arguments->timed)
+    if (fine && options->timed)
         printf("%s, ", t.bench.gl->renderer);
     if (fine)
         printf("%d x %d pixels; there, A is a GeForce 8600M GT, B a Radeon HD 3870 X2, of 2007\n", SIDE, SIDE);
-    if (!arguments->timed) /* the rows alone count */
+    if (!options->timed) /* the rows alone count */
         t.bench.width = t.bench.height = 64;
     for (int i = 0; fine && i < TABLES; i++)
-        fine = !(arguments->tables >> i & 1) || tables[i].measure(&t);
+        fine = !(chosen >> i & 1) || tables[i].measure(&t);
     gl_close(t.bench.gl);
     return !fine;
-}
-
-int bench_thesis(int argc, char **argv)
-{
-    Arguments arguments = {.gl = GL_KIND_osmesa, .timed = true};
-    for (int i = 1; i < argc; i++)
-        if (!read_argument(argv[i], &arguments)) {
-            fputs("usage: matbench thesis [--untimed] [--quick] [--gl=osmesa|egl] [nodes] [bush] [checkers] [lights] "
-                  "[stages]\n",
-                  stderr);
-            return 2;
-        }
-    arguments.tables = arguments.tables ? arguments.tables : (1u << TABLES) - 1;
-    return run(&arguments);
 }
