@@ -34,7 +34,7 @@ typedef struct {
 
 typedef struct FrameLight FrameLight;         /* light/light_state.h */
 typedef struct ShadowMaps ShadowMaps;         /* shadow/shadow_state.h */
-typedef struct ExactShadows ExactShadows;     /* as well */
+typedef struct ExactShadows ExactShadows;     /* exact/exact_state.h */
 typedef struct FrameVolumes FrameVolumes;     /* as well */
 typedef struct FrameVoxels FrameVoxels;       /* indirect/indirect_state.h */
 typedef struct FrameRadiance FrameRadiance;   /* as well */

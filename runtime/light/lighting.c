@@ -1,7 +1,7 @@
 /* What every pass that lights surfaces takes: the GLSL between what gives a Surface and the pass's own, numbers, textures. */
 #include "runtime/light/lighting.h"
 #include "gen/render_text.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
 #include <stdio.h>

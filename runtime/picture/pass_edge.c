@@ -2,7 +2,7 @@
  * by it (edge_part.glsl). What hides a line is known by the depths beside it. */
 #include "gen/render_text.h"
 #include "runtime/picture/picture.h"
-#include "runtime/sight/edge_list.h"
+#include "runtime/cache/edge_list.h"
 #include <stdlib.h>
 #include <string.h>
 

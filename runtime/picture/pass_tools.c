@@ -4,7 +4,7 @@
 #include "runtime/frame/surface_draw.h"
 #include "runtime/picture/picture.h"
 #include "runtime/shadow/volume.h"
-#include "runtime/sight/tool_lines.h"
+#include "runtime/picture/tool_lines.h"
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>

@@ -8,7 +8,7 @@
 #include "runtime/picture/picture.h"
 #include "runtime/render/frame_memory.h"
 #include "runtime/render/passes.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
 #include <string.h>

@@ -3,7 +3,7 @@
 #include "runtime/cache/cache_trace.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/render/passes.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
 
 static bool pass_surface_needed(const Render *render) { return render->scene != NULL; }

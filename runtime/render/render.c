@@ -11,7 +11,7 @@
 #include "runtime/render/render_state.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_origin.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
 #include <stdio.h>

@@ -1,6 +1,7 @@
 /* A renderer with the states of all folders of passes: what render_open allocates. */
 #ifndef MATC_RENDER_RENDER_STATE_H
 #define MATC_RENDER_RENDER_STATE_H
+#include "runtime/exact/exact_state.h"
 #include "runtime/glass/glass_state.h"
 #include "runtime/indirect/indirect_state.h"
 #include "runtime/light/light_state.h"

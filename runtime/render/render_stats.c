@@ -11,11 +11,11 @@
 #include "runtime/glass/glass.h"
 #include "runtime/render/passes.h"
 #include "runtime/render/render.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/silhouette.h"
 #include "runtime/shadow/volume.h"
-#include "runtime/sight/soft_views.h"
+#include "runtime/shadow/soft_views.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Whether facets are kept for lights whose shadows silhouettes find, for the plan. */
 #include "runtime/frame/frame.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/silhouette.h"
 #include <string.h>

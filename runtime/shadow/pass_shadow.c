@@ -3,7 +3,7 @@
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/scene/scene_area.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/silhouette.h"
 #include "runtime/shadow/volume.h"

@@ -4,7 +4,7 @@
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/silhouette.h"
 #include "runtime/shadow/volume.h"
-#include "runtime/sight/soft_views.h"
+#include "runtime/shadow/soft_views.h"
 #include <math.h>
 
 /* Clip space from the world. Depth goes from 0 to 1 there, or from -1: twice that, less w. */

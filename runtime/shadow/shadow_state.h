@@ -3,8 +3,7 @@
 #define MATC_SHADOW_SHADOW_STATE_H
 #include "runtime/frame/frame.h"
 #include "runtime/gl/framebuffer.h"
-#include "runtime/sight/exact_cover.h"
-#include "runtime/sight/shadow_views.h"
+#include "runtime/shadow/shadow_views.h"
 
 /* Texels of the maps, one above the other, and how many fragments what is transparent has there. */
 typedef struct {
@@ -54,13 +53,6 @@ struct ShadowMaps {
     GLuint framebuffer; /* of the layer that is drawn */
     Material solid;     /* draws depth alone; stays until the renderer goes */
     bool drawn;         /* the maps hold the scene */
-};
-
-struct ExactShadows {
-    ExactTriangles triangles;
-    ExactCover cover;       /* lists; its programs stay until the renderer goes */
-    bool seen;              /* the target of that name has what the camera sees */
-    GLuint corners, firsts; /* buffers: of triangles; of numbers of objects' first ones, counted from 1 */
 };
 
 /* Of pass_volume.c, volume_data.c and volume_blur.c. */

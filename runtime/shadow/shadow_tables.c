@@ -1,11 +1,12 @@
 /* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl goes by. */
 #include "gen/render_text.h"
+#include "runtime/exact/exact_lists.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
-#include "runtime/sight/soft_views.h"
+#include "runtime/shadow/soft_views.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "runtime/cache/instances.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/sight/edge_list.h"
+#include "runtime/cache/edge_list.h"
 #include <stdlib.h>
 #include <string.h>
 

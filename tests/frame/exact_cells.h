@@ -1,7 +1,7 @@
 /* Cells of what a light with exact shadows sees, by the words of its head alone: for tests of the lists. */
 #ifndef MATC_EXACT_CELLS_H
 #define MATC_EXACT_CELLS_H
-#include "runtime/sight/exact_lists.h"
+#include "runtime/exact/exact_lists.h"
 
 /* By the axes of a face. */
 typedef struct {

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/sight/edge_list.h"
+#include "runtime/cache/edge_list.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_ray.h"
 #include <math.h>

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/sight/tool_lines.h"
+#include "runtime/picture/tool_lines.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

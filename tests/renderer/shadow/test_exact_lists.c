@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/sight/exact_cover.h"
+#include "runtime/exact/exact_cover.h"
 #include "tests/frame/exact_cells.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/sight/shadow_views.h"
+#include "runtime/shadow/shadow_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef MATC_RENDER_EDGE_LIST_H
 #define MATC_RENDER_EDGE_LIST_H
 #include "runtime/cache/view_space.h"
-#include "runtime/sight/edge_mesh.h"
+#include "runtime/cache/edge_mesh.h"
 
 enum { EDGE_LIST_PIECE = 32 /* pixels: longer lines are cut */, EDGE_LIST_TEXELS = 2 };
 

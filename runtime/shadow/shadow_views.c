@@ -1,6 +1,6 @@
 /* Fits views to lights and to the boxes around what casts shadows. */
-#include "runtime/sight/exact_lists.h"
-#include "runtime/sight/soft_views.h"
+#include "runtime/exact/exact_lists.h"
+#include "runtime/shadow/soft_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Each triangle names its sides; a side that two triangles name is an edge between them. */
-#include "runtime/sight/edge_mesh.h"
+#include "runtime/cache/edge_mesh.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include <math.h>

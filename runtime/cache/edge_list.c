@@ -1,5 +1,5 @@
 /* Objects of one solid share their edges; each is looked at with the eye in the object's own space, and what is seen goes to the picture. */
-#include "runtime/sight/edge_list.h"
+#include "runtime/cache/edge_list.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_matrix.h"

@@ -1,8 +1,8 @@
 /* Exact shadows, for the passes: triangles and lists on the driver's side, which triangle a pixel sees, and what the lighting of surfaces reads of them
  * (pass_exact.c). */
-#ifndef MATC_SHADOW_EXACT_H
-#define MATC_SHADOW_EXACT_H
-#include "runtime/shadow/shadow_state.h"
+#ifndef MATC_EXACT_EXACT_H
+#define MATC_EXACT_EXACT_H
+#include "runtime/exact/exact_state.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/frame/render_options.h"
 

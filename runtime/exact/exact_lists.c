@@ -1,5 +1,5 @@
 /* Lights become views, these heads. */
-#include "runtime/sight/exact_lists.h"
+#include "runtime/exact/exact_lists.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>

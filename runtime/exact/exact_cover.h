@@ -5,7 +5,7 @@
 #ifndef MATC_RENDER_EXACT_COVER_H
 #define MATC_RENDER_EXACT_COVER_H
 #include "runtime/draw/material.h"
-#include "runtime/sight/exact_lists.h"
+#include "runtime/exact/exact_lists.h"
 
 typedef struct {
     Material cover, begins;

@@ -1,5 +1,5 @@
 /* Room is found by trying: for heads and cells at first, then for as many blocks and entries as were counted. */
-#include "runtime/sight/exact_cover.h"
+#include "runtime/exact/exact_cover.h"
 #include "gen/render_text.h"
 
 /* As exact_cover.glsl has them. */

@@ -1,5 +1,5 @@
 /* Half a cube around each of a light's points. */
-#include "runtime/sight/soft_views.h"
+#include "runtime/shadow/soft_views.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

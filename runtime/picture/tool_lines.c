@@ -1,5 +1,5 @@
 /* Lines in the scene's coordinates, in double, which go to the eye's space and are rounded there. */
-#include "runtime/sight/tool_lines.h"
+#include "runtime/picture/tool_lines.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>

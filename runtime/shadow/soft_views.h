@@ -12,7 +12,7 @@
  *        . .+--+. . */
 #ifndef MATC_RENDER_SOFT_VIEWS_H
 #define MATC_RENDER_SOFT_VIEWS_H
-#include "runtime/sight/shadow_views.h"
+#include "runtime/shadow/shadow_views.h"
 
 enum { SOFT_VIEWS_FACES = 5 /* z, x, -x, y, -y */ };
 

@@ -1,6 +1,6 @@
 /* Lights whose shadows are exact, for the plan. */
 #include "runtime/frame/frame.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include <string.h>
 
 static bool has_lights(const Render *render)

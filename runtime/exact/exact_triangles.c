@@ -1,5 +1,5 @@
 /* Corners go to the world in double. Their middle is known after a first turn over all objects; a second writes what they are from there. */
-#include "runtime/sight/exact_triangles.h"
+#include "runtime/exact/exact_triangles.h"
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "runtime/cache/exact_number.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/shadow/exact.h"
+#include "runtime/exact/exact.h"
 #include <stdlib.h>
 #include <string.h>
 

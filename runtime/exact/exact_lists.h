@@ -5,7 +5,7 @@
  * square of cells. */
 #ifndef MATC_RENDER_EXACT_LISTS_H
 #define MATC_RENDER_EXACT_LISTS_H
-#include "runtime/sight/exact_triangles.h"
+#include "runtime/exact/exact_triangles.h"
 
 /* Words of a light's head, as exact.glsl and exact_cover.glsl have them; ROWS and what is before are floats. */
 typedef enum {
