@@ -2,11 +2,7 @@
  * exact_forget() gives back. And documents' values by the oracle, to compare with. */
 #ifndef MATC_EXACT_H
 #define MATC_EXACT_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,9 +3,7 @@
 #define MATC_ORACLE_FIXTURE_H
 #include "tests/graph_builder.h"
 #include "compiler/oracle/oracle.h"
-#include <stdarg.h>
-#include <setjmp.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 /* Channel ids as semantics.md names them. */
 enum {

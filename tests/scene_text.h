@@ -2,13 +2,10 @@
 #ifndef MATC_SCENE_TEXT_H
 #define MATC_SCENE_TEXT_H
 #include "runtime/scene/scene.h"
+#include "tests/test.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
-#include <cmocka.h>
 
 #define RED "materials: { red: { material: RGBA, r: 1 } }\n"
 

@@ -1,11 +1,7 @@
 /* What the reference says of a document's slots, beside numbers that somebody published. */
 #ifndef TESTS_SLOT_VALUES_H
 #define TESTS_SLOT_VALUES_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/compile_text.h"
 #include <math.h>
 

@@ -2,11 +2,7 @@
  * specifications: what each parameter of the Principled is that a material becomes. Each document
  * is read twice: as it stands, where its formulas become numbers, and with its numbers as uniforms,
  * where they become expressions. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/oracle/oracle_maps.h"
 #include "grammar/translation_tables.h"

@@ -7,12 +7,12 @@
  * k = (a^2 - b^2) / (a^2 + b^2), the first is r^2 g, g^2 = 1 + k (v.x^2 - v.y^2), v the direction to the eye, x along: a polynomial in a number x of the angle, in g and in p, r^2 or r;
  * and of lower degrees, times 1 - k^2, the rest. A line is four numbers, of powers of g from 0 on; lines go by powers of p, and these by powers of x. */
 #include "tests/fits/solve.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 enum {
     ANGLES = 6, /* powers of x */
     WIDTHS = 4, /* of g */

@@ -8,12 +8,12 @@
  * d the angle from Z to the mirrored direction, m11 / a, m22 / (a (c + a)), m13 / a and d / a change little, and are polynomials in the roughness and in
  * x = c (1 + a) / (c + a). A line is these four numbers; lines go by powers of the roughness, and these by powers of x. */
 #include "tests/fits/solve.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 enum { PARTS = 4, ANGLES = 6, ROUGHS = 6, TERMS = ANGLES * ROUGHS, ROUGHNESSES = 21, COSINES = 17, SIDES = 32 };
 
 typedef struct {
@@ -23,8 +23,6 @@ typedef struct {
 typedef struct {
     double rough, cosine, found[PARTS], weight;
 } Sample;
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static double lambda(double alpha, double cosine)
 {

@@ -9,10 +9,10 @@
  *
  * G(1, k) is 0, so that a polynomial in 1 - c has no first term; it is made by least squares, weighed anew where it is off most. */
 #include "tests/fits/solve.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 
-#define PI 3.14159265358979323846
 enum { TERMS = 4, ANGLES = 400, STEPS = 2000, ROUNDS = 100, KINDS = 3 };
 static const int power_of[KINDS] = {0, 1, 5};
 

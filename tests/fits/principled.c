@@ -5,11 +5,11 @@
  *
  * A row is a power of x, a column one of r. Fits are least squares of `scale` times the polynomial, weighed anew where they are off most. */
 #include "tests/fits/solve.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#define PI 3.14159265358979323846
 enum { DEGREES = 6, TERMS = DEGREES * DEGREES, MOST_SAMPLES = 8192 };
 
 typedef struct {

@@ -3,12 +3,10 @@
 #include "tests/frame/bisection_seen.h"
 #include "runtime/scene/scene_bisection.h"
 #include "runtime/scene/scene_matrix.h"
+#include "tests/test.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 typedef struct {
     const Scene *scene;

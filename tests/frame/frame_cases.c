@@ -1,9 +1,5 @@
 #include "tests/frame/frame_cases.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 void frame_cases(GlContext *gl, const ScreenPassText *text, const TextureSpec *cases, const int size[2], float *rgba)
 {

@@ -1,11 +1,7 @@
 #include "tests/frame/frame_change.h"
 #include "tests/frame/frame_calls.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "tests/test.h"
 #include <stdlib.h>
-#include <cmocka.h>
 
 static size_t floats_of(const Render *render)
 {

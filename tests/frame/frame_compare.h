@@ -2,12 +2,9 @@
 #ifndef MATC_FRAME_COMPARE_H
 #define MATC_FRAME_COMPARE_H
 #include "tests/frame/reference_light.h"
+#include "tests/test.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <cmocka.h>
 
 static inline int ascending(const void *a, const void *b)
 {

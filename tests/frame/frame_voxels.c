@@ -1,12 +1,9 @@
 #include "runtime/indirect/voxels.h"
 #include "tests/frame/frame_voxels.h"
 #include "tests/frame/frame_draw.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
+#include "tests/test.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include <cmocka.h>
 
 static const char head[] =
     "image: { width: 96, height: 72 }\ncamera: { camera: Perspective, position: [2, -5, 3], target: [0, 0, .6] }\n"

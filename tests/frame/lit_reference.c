@@ -1,15 +1,9 @@
 #include "tests/frame/lit_reference.h"
 #include "tests/fits/observer.h"
+#include "tests/vectors.h"
 #include <complex.h>
 #include <math.h>
 #include <string.h>
-
-static const double PI = 3.14159265358979323846;
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static double clamped(double x, double low, double high) { return fmin(fmax(x, low), high); }
 

@@ -1,8 +1,7 @@
 #include "tests/frame/open_ray.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <string.h>
-
-#define PI 3.14159265358979323846
 
 /* From 0 to 1: SplitMix64 of a count. */
 static double chance(uint64_t *state)

@@ -1,9 +1,5 @@
 #include "tests/frame/pass_values.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 void pass_values(GlContext *gl, const ScreenPassText *text, int side, float (*values)[4])
 {

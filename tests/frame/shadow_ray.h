@@ -2,8 +2,7 @@
 #ifndef MATC_SHADOW_RAY_H
 #define MATC_SHADOW_RAY_H
 #include "tests/frame/reference_ray.h"
-
-#define PI 3.14159265358979323846
+#include "tests/vectors.h"
 
 /* Towards a light; its length is the distance, or infinite. */
 double shadow_way_to(const SceneLight *light, const double point[3], double way[3]);

@@ -1,14 +1,10 @@
 #include "tests/frame/shadow_scene.h"
 #include "tests/frame/shadow_ray.h"
+#include "tests/test.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 enum { TEXT = 6144 };
 

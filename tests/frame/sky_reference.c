@@ -1,13 +1,8 @@
 #include "tests/frame/sky_reference.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/lobe_claims.h"
+#include "tests/vectors.h"
 #include <string.h>
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static void way_of(double z, double turn, double way[3])
 {

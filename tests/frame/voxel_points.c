@@ -1,6 +1,7 @@
 #include "gen/render_text.h"
 #include "runtime/indirect/voxels.h"
 #include "tests/frame/voxel_points.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,12 +44,6 @@ bool voxel_points_make(int wide, int high, int across, VoxelPoints *made)
         made->directions[i][2] = (float)sqrt(1 - place[0]);
     }
     return made->texels && made->directions;
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
 void voxel_points_set(const VoxelPoints *points, int number, const VoxelGrid *grid, const double world[3],

@@ -1,9 +1,5 @@
 #include "tests/kill/world.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/folder.h"
 #include "tests/value/read_whole.h"
 #include <fcntl.h>

@@ -1,11 +1,7 @@
 /* Every function of matc.h is called with every kind of wrong argument: NULL, an index outside of what there is, a handle of
  * what has faults, options that were not set, a value that is no enumerator. It fails, and says why where it has a place to.
  * A function of the header without a row fails the test (api_rows.h). */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/api_rows.h"
 #include "tests/compile_text.h"
 #include <limits.h>

@@ -1,11 +1,7 @@
 /* The renderer as a library (matc_render.h), on a context that somebody else made: the same pictures as on one of its own, changes, of displaced meshes too, what is
  * refused, and that the context stays its owner's. */
 /* ctest: seconds=60 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/gl/backend.h"
 #include "runtime/render/matc_render.h"
 #include "tests/frame/frame_draw.h"

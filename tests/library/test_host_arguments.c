@@ -1,10 +1,6 @@
 /* Every function of matc_render.h is called with every kind of wrong argument. It fails, says why where it has a place to,
  * and the picture stays as it was. A function of the header without a row fails the test (api_rows.h). */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/gl/backend.h"
 #include "runtime/render/matc_render.h"
 #include "tests/api_rows.h"

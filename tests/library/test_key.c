@@ -1,9 +1,5 @@
 /* When programs have equal keys and shapes, what their places are, and how places become members of a buffer. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include "tests/stress/generate.h"
 #include <stdio.h>

@@ -1,9 +1,5 @@
 /* The library: several materials, textures, uniforms, threads, and that no fault is silent. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/session.h"
 #include "grammar/tables.h"
 #include "tests/compile_text.h"

@@ -1,9 +1,5 @@
 /* The library's options: names and their values, structs of older and newer programs. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "grammar/tables.h"
 #include "tests/compile_text.h"
 

@@ -1,9 +1,5 @@
 /* Every function of matc.h answers every call: of a document with faults, an index beyond what there is, a program or a layout that is not ok, no options. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/compile_text.h"
 #include <limits.h>
 

@@ -1,9 +1,5 @@
 /* Documents that change between the reading of a batch's materials and the writing of what they share. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/tool/batch.h"
 #include "tests/value/batch_set.h"
 #include <stdio.h>

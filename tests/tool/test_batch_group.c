@@ -1,11 +1,7 @@
 /* Programs out of units (compiler/tool/batch_group.c), from units made by hand: which materials
  * share a program, which numbers become members of its buffer, and which programs are written once
  * more. What a batch makes of that: test_manifest.c. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/tool/batch_state.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,9 +1,5 @@
 /* The cache: what is served is what was put there, whatever happens to its files. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <errno.h>
 #include <signal.h>

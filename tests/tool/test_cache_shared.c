@@ -1,9 +1,5 @@
 /* The cache of many runs at once, and its limit: nothing wrong is served, and what was not used for longest goes. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <fcntl.h>
 #include <pthread.h>

@@ -1,10 +1,6 @@
 /* Entries of the cache whose size is wrong: each is a miss, counts as damaged, and is replaced. And
  * the border of what a cache reads and writes. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <fcntl.h>
 #include <sys/stat.h>

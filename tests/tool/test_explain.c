@@ -1,11 +1,7 @@
 /* The example of every map and material that --explain shows: nothing is said of it, and its picture is worth looking at: neither black
  * nor flat. A small sphere is drawn, and judged in its middle, where light alone makes little difference. */
 /* ctest: seconds=12 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "grammar/tables.h"
 #include "tests/preview.h"
 #include <math.h>

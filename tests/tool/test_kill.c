@@ -1,11 +1,7 @@
 /* Runs that are ended before each of their calls in turn, and within each write; then the next run finds whatever was left. What is right is
  * told by runs that nothing happens to. */
 /* ctest: alone seconds=26 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/kill/world.h"
 #include <fcntl.h>
 #include <ftw.h>

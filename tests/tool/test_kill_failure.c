@@ -1,10 +1,6 @@
 /* Lets each call of a run fail in turn, alone and as on a full disk, and runs on a disk that cannot be written. */
 /* ctest: alone seconds=54 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/kill/world.h"
 #include <errno.h>
 #include <stdio.h>

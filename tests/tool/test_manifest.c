@@ -1,10 +1,6 @@
 /* The manifest of small batches (compiler/tool/manifest.c), read by cJSON and compared with what is
  * written here by hand; every member that files.def lists occurs in one of them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/tool/batch.h"
 #include "tests/manifest_cases.h"
 #include "tests/value/folder.h"

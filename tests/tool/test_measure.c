@@ -1,10 +1,6 @@
 /* Measuring: known errors are found, times are times, the front is one, choices keep what they promise. */
 /* ctest: seconds=11 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/measure/pareto.h"
 #include "runtime/measure/plot.h"
 #include <math.h>

@@ -1,9 +1,5 @@
 /* The line of a terminal: written at most ten times a second, over itself, and gone at the end. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/progress.h"
 
 static void lines_are_rare(void **state)

@@ -1,11 +1,7 @@
 /* Programs that materials share: with the numbers that the manifest has for a material, the shared program draws the G-buffer that
  * the material's own program draws, with its numbers in the text. */
 /* ctest: unsanitized seconds=38 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/tool/batch.h"
 #include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"

@@ -1,9 +1,5 @@
 /* Commits that a process left in the middle, and what the next one makes of them: staging_commit.c. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/staging.h"
 #include "compiler/base/staging_commit.h"
 #include "tests/value/folder.h"

@@ -1,9 +1,5 @@
 /* Watching: every way in which a file comes to differ is seen, once, by notices and by looking alone. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/watch.h"
 #include "tests/value/folder.h"
 #include <fcntl.h>

@@ -1,11 +1,10 @@
 /* The ball's curvature is 1 all over, the torus' 1 / r around the tube and cos b / (R + r cos b) around the axis. */
 #include "tests/value/curved.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <string.h>
 
 static const double ring = 1, tube = 0.5, twist = 2;
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static void set(Surface *surface, Group group, const double v[3])
 {

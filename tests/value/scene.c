@@ -1,6 +1,7 @@
 /* Cameras, programs and their uniforms, values. */
 #include "scene.h"
 #include "compiler/evaluate.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,8 +41,6 @@ void space_transform(const Mat4 *matrix, const double point[3], double w, double
             result[row] += matrix->m[4 * column + row] * point[column];
     }
 }
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static void normalize(double a[3])
 {

@@ -1,9 +1,5 @@
 /* Cameras of frames by closed forms, motions that are refused, which frames an option means, and what their files are called. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/view/frames.h"
 #include <math.h>
 #include <string.h>

@@ -1,10 +1,6 @@
 /* Pictures as files, read back by what did not write them: PNG by libpng's simple interface and its chunks, OpenEXR by the compiler's reader
  * of images and by the bytes of its chunks. What cannot be written is told, and leaves nothing. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/view/picture_file.h"
 #include <OpenEXR/openexr.h>
 #include <math.h>

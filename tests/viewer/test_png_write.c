@@ -1,9 +1,5 @@
 /* Pictures as the viewer writes them: libpng's reader gives back what was written, bytes are sRGB. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/gl/png_write.h"
 #include "runtime/view/slot.h"
 #include <math.h>

@@ -1,10 +1,6 @@
 /* The preview's pictures against what they should show: a sphere in its lights by the Phong shading of semantics.md 4.1, every slot. */
 /* ctest: seconds=14 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "grammar/tables.h"
 #include "runtime/view/slot.h"
 #include "tests/preview.h"

@@ -1,10 +1,6 @@
 /* Where the preview's cameras look: a sky by the C reference in directions from the camera's definition, points beside the middle, files
  * the right way up. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/preview.h"
 #include <stdio.h>
 #include <unistd.h>

@@ -1,10 +1,6 @@
 /* Frames of a motion, drawn by one renderer, against each by a renderer of its own: every byte of their files. */
 /* ctest: seconds=34 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/file.h"
 #include "runtime/view/scene_picture.h"
 #include "tests/frame/frame_calls.h"

@@ -1,9 +1,5 @@
 /* The contact sheet: its size, where its pictures lie, and that its names can be read. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/view/font.h"
 #include "runtime/view/sheet.h"
 #include <stdio.h>

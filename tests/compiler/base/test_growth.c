@@ -1,10 +1,6 @@
 /* Time grows as the document does: every row of growth/growth.def, at n and at 8 n parts. */
 /* ctest: small-pages seconds=20 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/arena.h"
 #include "compiler/base/session.h"
 #include "tests/growth/growth.h"

@@ -1,9 +1,5 @@
 /* The hash table: against a search through all that was added, with few hashes, many, and all alike. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/hash_index.h"
 #include <unistd.h>
 

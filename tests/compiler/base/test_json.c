@@ -1,10 +1,6 @@
 /* Strict JSON: what is refused, and at which byte; what is accepted, and as which values. cJSON gives a second opinion of every text.
  * The whole of JSONTestSuite is in suites/. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/read_text.h"
 #include "compiler/tool/batch_state.h"
 #include <cjson/cJSON.h>

@@ -1,9 +1,5 @@
 /* Strings of JSON: whatever the bytes are, cJSON reads what was meant, and no control character is left. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/json_write.h"
 #include "compiler/matc.h"
 #include <cjson/cJSON.h>

@@ -1,10 +1,6 @@
 /* A process that keeps its pages takes none anew for what it compiles again. Pages are counted by the system, not timed. */
 /* ctest: small-pages */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/arena.h"
 #include "compiler/matc.h"
 #include "tests/sanitized.h"

@@ -1,10 +1,6 @@
 /* What matc reads and writes is the same in every locale: all that the library says of documents, layouts and words, in C and in
  * a locale that writes 1,5 and counts a byte above ASCII as a letter, which a process has, or a thread. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/matc.h"
 #include "grammar/layout_tables.h"

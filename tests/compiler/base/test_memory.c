@@ -1,11 +1,7 @@
 /* Memory that documents take: matc reads some of every kind, and its greatest resident size, less that for a document of one line, is
  * held against a multiple of the text's size (docs/stability.md, Memory). */
 /* ctest: unsanitized small-pages seconds=15 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/text.h"
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,10 +1,6 @@
 /* Names, strings and keys, each once and numbered as they came (names.c, sets.c): many more than a first table holds, every one is found
  * again under its number, and nothing else is. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/names.h"
 #include "compiler/base/sets.h"
 #include <stdio.h>

@@ -1,10 +1,6 @@
 /* Threads of 256 KiB: whatever is nested to its limit compiles, evaluates and is printed on one (docs/stability.md, Stack). */
 /* ctest: unsanitized small-pages seconds=18 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/session.h"
 #include "tests/growth/growth.h"
 #include <pthread.h>

@@ -1,9 +1,5 @@
 /* Texts: numbers are the shortest decimals that read back, and are read to nearest; formats of any length fit. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/text.h"
 #include <float.h>
 #include <math.h>

@@ -1,10 +1,6 @@
 /* Colours of documents: what `colors:`, srgb() and linear() make of bytes and names, against values of IEC 61966-2-1 as they are
  * published, and whose file's meaning counts where files are included. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/front/graph.h"
 #include "compiler/matc.h"

@@ -1,10 +1,6 @@
 /* What a document means where it says nothing: every parameter's default, the presets, the named colours, and the rows of --precision,
  * each written down here from semantics.md and the published palettes, and not from the tables. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/front/resolve.h"
 #include "compiler/pipeline.h"

@@ -1,9 +1,5 @@
 /* The MOVES lines of maps.def against the oracle: a transformer changes these coordinates and no others. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"
 #include <stdio.h>

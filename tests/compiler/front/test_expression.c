@@ -5,11 +5,7 @@
  *
  * How exact a value can be is measured: the tree is computed once more with every node off by a few roundings. Where it jumps between both, or
  * loses all digits, nothing can be said, and few are left out so. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/sanitized.h"
 #include "tests/value/documents.h"
 #include "tests/value/evaluate.h"

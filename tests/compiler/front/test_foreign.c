@@ -1,10 +1,6 @@
 /* Every row of foreign.def, written in a document where an author of another tool would write it: the
  * first line of a message says what it is here, and so does --explain. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/foreign_table.h"
 #include "grammar/library_table.h"

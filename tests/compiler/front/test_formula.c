@@ -1,10 +1,6 @@
 /* Formulas: the grammar, widths, places of faults, totality; every example of expression.def. Their values are held against the oracle by
  * test_expression.c, which has an evaluator of its own. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/formula/formula.h"
 #include "compiler/library/reference.h"
 #include <math.h>

@@ -1,9 +1,5 @@
 /* Every parameter of every map and material with values of every kind: what it is not for is an error, and its place is the value's. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"
 #include <stdio.h>

@@ -1,9 +1,5 @@
 /* Each limit of the compiler at its border and one beyond, by tests/limits.def. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/base/session.h"
 #include <stdio.h>

@@ -1,10 +1,6 @@
 /* Documents that are written differently and mean the same: random maps in both, compared as IR in double, as written and
  * optimised, at hostile points. Where the optimiser is to see that they are one, it leaves as many nodes of as much cost. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/stress/generate.h"
 #include "tests/stress/spread.h"
 #include "tests/stress/trial.h"

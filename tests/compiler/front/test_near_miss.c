@@ -1,10 +1,6 @@
 /* Each message beside an input that almost causes it, by tests/near_misses.def: the one is reported, and of the other
  * nothing is. A message without a row fails. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/diag.h"
 #include "compiler/base/file.h"
 #include "compiler/matc.h"

@@ -1,11 +1,7 @@
 /* Names that GLSL keeps for itself, as the specifications of all targets list them. A param of such a name is refused for every target,
  * so that a document goes from one to another; materials and definitions are called what they like. */
 /* ctest: seconds=15 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/matc.h"
 #include "tests/value/documents.h"

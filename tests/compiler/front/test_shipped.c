@@ -1,9 +1,5 @@
 /* The definitions that come with matc: each says what it is, compiles for old and new targets with its defaults, and is a number within reason everywhere. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/document.h"
 #include "grammar/library_table.h"
 #include <math.h>

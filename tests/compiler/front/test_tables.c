@@ -1,10 +1,6 @@
 /* The tables of grammar/: their rows are sound, and every parameter of every kind is tried at its default, at both ends of its
  * range, beyond them, and with a value of another type. Adding a row adds its cases. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "grammar/foreign_table.h"
 #include "grammar/key_table.h"
 #include "grammar/layout_tables.h"

@@ -1,13 +1,10 @@
 /* Numbers of units.def, written down once more: the usual range of each parameter, its unit,
  * and the unit in which a number beyond may be thought. Every border is accepted without a word,
  * and the next double beyond it is warned of. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/unit_table.h"
+#include "tests/vectors.h"
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +20,6 @@ typedef struct {
     const char *params;
 } UnitGroup;
 
-#define PI 3.14159265358979323846
 static const UnitGroup groups[] = {
     {"", "percent", 0, 1, 0.01,
      " MixMaterial.mask Layer.coat Layer.coatRoughness Layer.coatDarkening"

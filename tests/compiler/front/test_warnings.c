@@ -1,9 +1,5 @@
 /* Warnings by name: which are said, which are errors, in documents and programs, by the settings of MatcOptions.warnings. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include <stdio.h>
 #include <stdlib.h>

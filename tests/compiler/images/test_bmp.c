@@ -1,11 +1,7 @@
 /* BMP files that are written here byte by byte, so that their texels are known: every depth, with a palette
  * and with masks, rows from the bottom and from the top. Then files that are cut off or lie about themselves.
  * Pictures of other formats are refused by their names. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/picture.h"
 
 enum { CORE = 12, INFO = 40, MASKED = 56, LATEST = 124, FILE_HEADER = 14, LONGEST = 64 };

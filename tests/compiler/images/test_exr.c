@@ -1,9 +1,5 @@
 /* OpenEXR files that are read: channels, windows, compressions and tiles, and that their numbers stay as they are. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/exr_file.h"
 
 /* Channels of every kind, and those that a picture has nothing to do with. */

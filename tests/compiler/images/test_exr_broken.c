@@ -1,9 +1,5 @@
 /* OpenEXR files that are refused: kinds that matc does not read, cut and altered ones, those that speak of more than they hold. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/exr_file.h"
 #include "tests/sanitized.h"
 #include <sys/resource.h>

@@ -1,10 +1,6 @@
 /* JPEG files that are written here byte by byte, by ITU-T T.81 and with nothing of a library's, so that their texels are known: blocks
  * without any but their mean, 128 + DC / 8 where the table of quantities is of ones. Then files that are broken or ask for too much. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/picture.h"
 
 enum { BASELINE = 0xC0, EXTENDED = 0xC1, PROGRESSIVE = 0xC2, LOSSLESS = 0xC3, ARITHMETIC = 0xC9 };

@@ -1,9 +1,5 @@
 /* Textures as files: KTX 1 as Khronos specifies it, byte by byte, rows of every length. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/output.h"
 #include <stdlib.h>
 #include <string.h>

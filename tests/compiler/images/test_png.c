@@ -1,10 +1,6 @@
 /* Pictures: files that are written here byte by byte, by the PNG specification and with nothing of the product's, so that their texels
  * are known; what the reader makes of them, and what the reference answers for them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/picture.h"
 #include <math.h>
 

@@ -1,11 +1,7 @@
 /* Every packed code, exactly: decoded by the library's GLSL, encoded again, stored in a real target of half floats or of whole
  * numbers, it is the same code; and it is that of the C reference. */
 /* ctest: alone */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/library/normal.h"
 #include "compiler/library/pack.h"
 #include "compiler/library/reference.h"

@@ -1,11 +1,7 @@
 /* Layouts, drawn: what is packed into a G-buffer and unpacked again lies within the stated error of each field, for random and
  * hostile values, in every GLSL, optimised or not. A layout's row is all that a further layout needs here. */
 /* ctest: seconds=18 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/oracle/oracle.h"
 #include "compiler/library/normal.h"

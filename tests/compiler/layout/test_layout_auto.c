@@ -1,9 +1,5 @@
 /* --layout=auto: the smallest layouts are small, whatever the order of their materials, and every material has a case. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
 #include "tests/layout_set.h"

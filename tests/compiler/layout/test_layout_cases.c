@@ -1,9 +1,5 @@
 /* --layout=auto: which sets of slots are kept of many materials, and how they are divided into cases. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/layout/auto_layout.h"
 #include "compiler/layout/custom.h"
 #include <stdlib.h>

@@ -1,10 +1,6 @@
 /* --layout=auto: what is claimed of materials holds, of random trees by the oracle, and of sets as they are drawn. */
 /* ctest: unsanitized seconds=29 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
 #include "tests/layout_set.h"

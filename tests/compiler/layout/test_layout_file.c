@@ -1,9 +1,5 @@
 /* Layouts from files: what matc writes of a layout reads back to it, and what one's own layouts promise they keep. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/layout/layout_read.h"
 #include "compiler/layout/custom.h"
 #include "tests/value/kept.h"

@@ -1,10 +1,6 @@
 /* Which lobes a Principled may have at once: compact holds any two, light of its own and holes among them, and says what it loses of more; --layout=auto any
  * two and light besides. All numbers vary, those of the base too. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/compile_text.h"
 #include "compiler/base/file.h"
 #include <unistd.h>

@@ -1,9 +1,5 @@
 /* Rows of layouts.def, without drawing: places do not overlap, and glslang takes every layout in every GLSL that it has. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/matc.h"
 #include <string.h>

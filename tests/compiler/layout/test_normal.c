@@ -1,11 +1,7 @@
 /* The table of normal encodings: mean, rms and greatest error in degrees over two million random directions, beside measured
  * figures. The encodings are the C references, in double precision; test_codes holds the GLSL to them. */
 /* ctest: seconds=10 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/library/normal.h"
 #include "compiler/library/pack.h"
 #include "compiler/library/reference.h"

@@ -1,10 +1,6 @@
 /* What is packed into half floats survives a real RGBA16F target: every code of packPair, and normals through the spheremap.
  * The GLSL is the library's own, drawn; the reading side is a second program that samples the target. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/canvas.h"
 #include "tests/value/half.h"
 #include <stdio.h>

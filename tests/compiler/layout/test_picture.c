@@ -1,9 +1,5 @@
 /* Pictures: the same material through every layout. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "grammar/layout_tables.h"
 #include "tests/preview.h"
 

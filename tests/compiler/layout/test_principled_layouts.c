@@ -2,11 +2,7 @@
  * `integer`: the light is the same within what the layout's bits promise, or a warning names
  * what the layout loses. Which slots a parameter changes says the oracle. */
 /* ctest: unsanitized seconds=25 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "grammar/tables.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -1,10 +1,6 @@
 /* The text that reads a whole layout back, drawn with the words of each of its cases: every slot that a case leaves out is what the case says, or what absent
  * slots are, and no other case's. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/matc.h"
 #include "tests/frame/frame_draw.h"

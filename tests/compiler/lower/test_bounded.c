@@ -1,9 +1,5 @@
 /* --trigonometry=bounded leaves nothing to the driver's sines: neither a function of the library nor a whole program calls one. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/emit/chunks.h"
 #include "tests/value/documents.h"
 #include <ctype.h>

@@ -1,11 +1,7 @@
 /* No program has an implicit derivative in non-uniform control flow: of every example, through
  * every pass and target. glslang makes SPIR-V of the text, whose blocks are walked. */
 /* ctest: unsanitized seconds=60 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/choice.h"
 #include "tests/value/documents.h"
 #include "tests/value/share.h"

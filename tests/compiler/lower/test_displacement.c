@@ -1,11 +1,7 @@
 /* True displacement: the program that shows it and its slopes, in double, against the oracle; and the bound that matc proves, against closed forms
  * and many points; normals on curved bases, against closed forms. Normals of displaced surfaces are test_equiv's and test_value's besides, by the examples. */
 /* ctest: seconds=11 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/choice.h"
 #include "tests/value/curved.h"
 #include "tests/value/documents.h"

@@ -1,10 +1,6 @@
 /* Slopes of displacements under each --derivatives, by closed forms: what the oracle says of the normal at a point, which the programs are
  * held to by test_value and test_stress. And where a displacement has no slope, that is said. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include <math.h>
 #include <stdio.h>

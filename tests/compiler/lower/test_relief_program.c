@@ -1,10 +1,6 @@
 /* Slopes of displacements as programs compute them in floats: steps far from the origin, and what lies exactly at the borders of a map. The truth is
  * the same place near the origin, or the oracle. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/output.h"
 #include "compiler/matc.h"
 #include "runtime/gl/png_write.h"

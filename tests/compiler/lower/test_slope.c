@@ -1,11 +1,7 @@
 /* Forward differentiation: the derivative of every map of every example, by u and by v, against differences of the oracle's
  * values in double precision. Where the map has a crease or a jump at the point the two sides differ, and nothing is asked. */
 /* ctest: seconds=16 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/fold.h"
 #include "compiler/opt/opt.h"
 #include "compiler/lower/slope.h"

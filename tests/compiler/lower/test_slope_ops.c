@@ -1,10 +1,6 @@
 /* The slope of every operation by every operand, and of every library function of slopes.def, against differences of what the fold or the
  * reference makes of them in double precision. Operands vary alone and together. At a jump or a crease nothing is asked. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/fold.h"
 #include "compiler/pipeline.h"
 #include "compiler/lower/slope.h"

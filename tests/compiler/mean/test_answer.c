@@ -1,11 +1,7 @@
 /* Answers of maps, at -O0 and -O2, against the oracle's values over the pixel: what a mean leaves out is their variance, and the mean of
  * what is no line of one of two values is that of both. The maps here vary by whole periods, so that their means' slopes show
  * nothing of what they leave out. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
 #include "compiler/lower/answer.h"

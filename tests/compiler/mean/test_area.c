@@ -1,11 +1,7 @@
 /* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in double by ir_eval. AREA_ONLY=part-of-a-name in
  * the environment looks at those rows only; AREA_SEED=N takes other footprints, for which the bounds of areas.def are not meant. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/pipeline.h"
 #include "compiler/library/java_random.h"
 #include "tests/stress/generate.h"

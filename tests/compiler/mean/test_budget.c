@@ -1,10 +1,6 @@
 /* --aa=auto: what it averages in the shader costs at most a tenth of the program, of a plane as much again, which is told by programs
  * of every example, and it averages what the documents below say. Pictures are the sampler's anyhow. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/bounds.h"
 #include "tests/value/documents.h"
 #include "compiler/layout/layout.h"

@@ -1,9 +1,5 @@
 /* --aa as it is drawn, where what a pixel should show has a closed form: rectangles along the axes, whole periods. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/apart.h"
 #include "tests/value/sheet.h"
 #include "tests/value/waves.h"

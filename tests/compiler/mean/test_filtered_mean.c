@@ -1,11 +1,7 @@
 /* --aa as it is drawn over parallelograms, against means that the C reference makes of points within them; noise by its statistics.
  * MEAN_PLACES=N in the environment tries N places for each, and shows the worst. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/library/java_random.h"
 #include "tests/value/apart.h"
 #include "tests/value/sheet.h"

@@ -1,10 +1,6 @@
 /* --aa in the passes plane and sky, where footprints come from the view ray: drawn by matc's own vertex programs from cameras, against
  * means of the map over each pixel's rays. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/scene.h"
 #include "tests/value/rig.h"
 #include <stdio.h>

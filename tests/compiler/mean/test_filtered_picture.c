@@ -1,9 +1,5 @@
 /* --aa of pictures, as it is drawn: texels that the test made, and mipmaps that it makes by hand. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/apart.h"
 #include "tests/value/mipmaps.h"
 #include "tests/value/sheet.h"

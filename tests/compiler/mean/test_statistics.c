@@ -1,10 +1,6 @@
 /* What filtered noise is replaced with, against the integrals that define it: means over many points of the noise itself. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/library/java_random.h"
 #include "compiler/library/reference.h"
 #include <stdio.h>

@@ -1,11 +1,7 @@
 /* What cells are replaced with where they are finer than a pixel, grammar/cells.def, against the integrals that define it, over other points than those
  * that `matbench cells` makes the table of; and the search of the references, within three cells, against what lies farther. */
 /* ctest: unsanitized seconds=43 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/library/cells.h"
 #include "compiler/library/java_random.h"
 #include <stdio.h>

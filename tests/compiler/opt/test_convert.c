@@ -1,9 +1,5 @@
 /* Numbers and vectors of one type as those of another. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
 #include "tests/value/ir_site.h"

@@ -1,9 +1,5 @@
 /* What a program computes once, in a branch, or not at all. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/compile_text.h"
 
 static int count(const char *text, const char *word)

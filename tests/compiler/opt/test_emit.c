@@ -2,11 +2,7 @@
  * Each is drawn under OSMesa, compared with ir_eval, and parsed by glslang in one of three other languages. The optimiser takes no part, so
  * that what it would never leave is written too. */
 /* ctest: unoptimized seconds=15 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/pipeline.h"
 #include "tests/stress/choices.h"

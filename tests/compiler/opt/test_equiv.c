@@ -1,11 +1,7 @@
 /* Lowering and optimiser, proved without GLSL: the IR as written and the optimised IR of every example, evaluated in double
  * precision, have the values of the oracle, which knows neither. And an IR's text reads back as the same text. */
 /* ctest: seconds=14 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/sanitized.h"
 #include "tests/value/bounds.h"
 #include "tests/value/documents.h"

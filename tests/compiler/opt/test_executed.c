@@ -1,10 +1,6 @@
 /* How often a drawn program runs a noise at a pixel: its functions count in the emitted text, and the count is what is drawn. So this holds of branches
  * what they spare, wherever they stand and whatever they are by. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/compile_text.h"
 #include "tests/value/draw.h"
 

@@ -1,9 +1,5 @@
 /* A Blend's costly item, and a Mix's costly side, are computed where they show alone, wherever they stand; what is computed anyhow has no branch. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include "compiler/opt/opt.h"
 #include <stdio.h>

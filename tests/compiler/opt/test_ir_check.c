@@ -1,9 +1,5 @@
 /* ir_check refuses an IR that breaks any of its invariants, and says which. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/ir.h"
 #include <string.h>
 

@@ -1,9 +1,5 @@
 /* opt_merge: the value of a pattern that is its gradient's fourth lane is not computed again. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
 

@@ -1,9 +1,5 @@
 /* opt_function: of functions whose calls are not asked for all lanes, those that are have the values that they had. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
 #include <stdio.h>

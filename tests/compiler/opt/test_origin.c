@@ -1,10 +1,6 @@
 /* Names and comments of a program come from its document: what the author calls a map, else its slot and kind; nothing that GLSL does
  * not take; the same bytes for the same document, and one program for documents that differ in names only. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,6 @@
 /* Intervals, held against values: an operation's result lies within what is claimed of it, for any intervals of its operands, ends
  * included, and what is claimed is no wider than it has to be. Neither goldens nor the optimiser take part. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/range.h"
 #include "tests/stress/choices.h"

@@ -1,10 +1,6 @@
 /* Values of every node of random programs, held against the intervals that are claimed of them: one for a node, and one for each lane, where
  * conditions bound what their arms compute. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
 #include "compiler/ir/range.h"

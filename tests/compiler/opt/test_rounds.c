@@ -1,10 +1,6 @@
 /* The optimiser asks no more than it has to: of a node that no rule changes once, of a program until a round leaves it as it is. Counts, which
  * are the same on every machine. And nodes are found again, however many share an operand. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "compiler/pipeline.h"
 #include <string.h>

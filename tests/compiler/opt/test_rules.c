@@ -1,9 +1,5 @@
 /* Every local rule of the optimiser, where it applies and where it must not: on the border of its guard, and beside it. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
 

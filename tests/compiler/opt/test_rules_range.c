@@ -1,9 +1,5 @@
 /* The optimiser's rules that go by intervals, on this side of the border and on that. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
 

@@ -1,10 +1,6 @@
 /* Every library function and every volume map's: its GLSL, drawn, against its reference in double at the same floats. */
 /* ctest: unsanitized seconds=14 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/ir.h"
 #include "compiler/pipeline.h"
 #include "compiler/library/java_random.h"

@@ -1,9 +1,5 @@
 /* What the value tests rest on: a fragment program gets the very floats of a point, on either side and in either context. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/draw.h"
 #include <math.h>
 #include <stdio.h>

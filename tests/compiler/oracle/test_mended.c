@@ -1,10 +1,6 @@
 /* Documents that once had a fault: as `matbench stress` tries them, in every mode, and with every pixel. */
 /* ctest: seconds=50 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/base/file.h"
 #include "tests/sanitized.h"
 #include "tests/stress/modes.h"

@@ -1,10 +1,6 @@
 /* The C references of the library functions: check values of the semantics, closed forms, round trips, behaviour at the edges. */
 /* ctest: alone */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/ir/ir.h"
 #include "compiler/library/carpenter.h"
 #include "compiler/library/references.h"

@@ -1,9 +1,5 @@
 /* The C references of noise: check values of the semantics, statistics, periods. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/library/references.h"
 #include "tests/near.h"
 

@@ -1,10 +1,6 @@
 /* SunSkyLight against the paper: Preetham, Shirley and Smits, A Practical Analytic Model for Daylight (1999), with the numbers of its
  * appendix typed in here, and the sun's colour by the CIE's 1931 table where the product has a fit to it. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,10 +1,6 @@
 /* A small run of what `matbench stress` does without end: random documents mean the same to all who evaluate them. */
 /* ctest: seconds=10 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/sanitized.h"
 #include "tests/stress/generate.h"
 #include "tests/stress/shrink.h"

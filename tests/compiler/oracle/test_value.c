@@ -2,11 +2,7 @@
  * tests/bounds.def says how far they may be apart, and the table at the end how far they are.
  * VALUE_ONLY=part-of-a-path in the environment looks at those documents only, and says more of each fault; VALUE_SEED=N takes other points. */
 /* ctest: unsanitized unoptimized seconds=140 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/draw.h"
 #include "tests/value/rounding.h"
 #include "tests/value/sampler.h"

@@ -1,11 +1,7 @@
 /* What the oracle counts is what it takes: values of every costly kind, by their time for each step that is counted. A kind that is
  * not counted would be hundreds of times as slow. */
 /* ctest: small-pages */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/oracle/oracle.h"
 #include "tests/sanitized.h"
 #include "tests/value/documents.h"

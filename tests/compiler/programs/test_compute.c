@@ -1,10 +1,6 @@
 /* Compute programs that displace the vertices of a buffer, run under OSMesa: positions against the oracle's, normals against the oracle's and against closed forms of curved bodies, from meshes that lie
  * in any order; what nobody asked for stays as it was. Places of uniforms are those that the reflection says. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/value/curved.h"
 #include "tests/value/move.h"

@@ -1,9 +1,5 @@
 /* Where matc's vertex programs put what they displace, drawn under OSMesa, against the oracle in double. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/value/move.h"
 #include "tests/value/vertices.h"

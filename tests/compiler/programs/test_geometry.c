@@ -1,10 +1,6 @@
 /* Geometry programs, drawn under OSMesa: of each target that has them, the picture is what the vertex program makes of a mesh that was divided before, within and beyond what one call
  * writes; what is closed has no hole; what has no such programs says so. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/rig_state.h"
 #include "runtime/scene/scene_divide.h"
 #include <math.h>

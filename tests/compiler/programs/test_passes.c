@@ -1,10 +1,6 @@
 /* Planes, skies and surfaces, drawn with matc's own vertex program as an engine would, and what is read back of a G-buffer. What is to be
  * seen is computed here from the camera, and by the C reference. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/value/apart.h"
 #include "tests/value/half.h"

@@ -1,11 +1,7 @@
 /* The reflection against the program itself: every example, passes, layouts and targets, by the SPIR-V that glslang makes of it and by what
  * OpenGL answers of the linked program. */
 /* ctest: seconds=18 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/gl/backend.h"
 #include "runtime/gl/program.h"
 #include "tests/value/documents.h"

@@ -1,9 +1,5 @@
 /* The passes shadow and depth, drawn with matc's own vertex program: what is transparent is discarded, and nothing else is read. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/rig_state.h"
 #include <string.h>
 

@@ -1,11 +1,7 @@
 /* SPIR-V of all stages: one entry point each, of the right kind; what a stage takes the one before it gives, at the same place and of the same type; bindings are of set 0, those of a
  * binding the same in all stages, and those that the reflection names. spirv-val judges them, where it is installed. */
 /* ctest: seconds=16 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/matc.h"
 #include "tests/value/read_whole.h"
 #include "tests/value/spirv.h"

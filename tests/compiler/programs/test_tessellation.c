@@ -1,10 +1,6 @@
 /* The programs that tessellate, drawn under OSMesa: triangles whose edges have other levels than their neighbours' leave no hole in what is closed, nor beside
  * the outline that a bound allows; attributes of a mesh come through; what has no such programs says so. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/rig_state.h"
 #include <math.h>
 #include <stdio.h>

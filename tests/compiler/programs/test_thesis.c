@@ -1,9 +1,5 @@
 /* The thesis' own program, its listing 4.2, beside what matc writes for the same tree: the same four render targets. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/value/documents.h"
 #include "tests/value/draw.h"
 #include "tests/value/half.h"

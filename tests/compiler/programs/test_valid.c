@@ -1,11 +1,7 @@
 /* Every example, through every pass and target and with either noise, is a program that glslang parses and links. test_valid spirv:
  * its SPIR-V passes spirv-val; status 77 where that is not installed. */
 /* ctest: seconds=80 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/choice.h"
 #include "compiler/emit/validate.h"
 #include "tests/sanitized.h"

@@ -1,10 +1,6 @@
 /* Transparent fragments and layers are counted again where the scene changes: a list that was made for few would lose what is too many. */
 /* ctest: seconds=25 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

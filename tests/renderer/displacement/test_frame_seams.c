@@ -2,11 +2,7 @@
  * triangles: there a quad of pixels has helper invocations, which in Mesa's software driver read
  * 0 from a storage buffer. Two materials share a program and differ in a number of their texture
  * coordinate, so that a buffer has it. The truth is --aa=none, which takes no footprint. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

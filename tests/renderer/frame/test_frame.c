@@ -1,10 +1,6 @@
 /* Frames against a reference in double (frame/reference_light.h), in every way there is; the depth of planes; tones; what cannot be drawn. */
 /* ctest: seconds=30 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

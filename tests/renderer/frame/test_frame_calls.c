@@ -1,10 +1,6 @@
 /* What frames need: a second one only draws, materials share programs, views leave out what nobody reads. */
 /* ctest: seconds=41 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,10 +1,6 @@
 /* Scenes that change, against scenes that are drawn anew; what each change makes and writes. */
 /* ctest: seconds=14 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_random.h"

@@ -1,11 +1,7 @@
 /* No program that the renderer hands to the driver has an implicit derivative in non-uniform
  * control flow: glslang makes SPIR-V of the text, whose blocks are walked. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/value/read_whole.h"
 #include "tests/value/spirv_flow.h"

@@ -1,9 +1,5 @@
 /* What a driver, or the set of all materials, refuses: the material is named, and where it stands; the format of a target; a mesh that is too large. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,6 @@
 /* Many objects: instances against objects drawn one by one, and against what is not culled; how many calls it takes. */
 /* ctest: unsanitized seconds=16 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/cache/cull.h"
 #include "runtime/scene/scene_matrix.h"
 #include "tests/frame/frame_calls.h"

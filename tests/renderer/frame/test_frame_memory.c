@@ -1,10 +1,6 @@
 /* Targets that lie in each other's memory: bytes a pixel, counted by hand, and the picture that targets of their own give, bit for bit. */
 /* ctest: seconds=25 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdlib.h>
 #include <string.h>

@@ -2,11 +2,7 @@
  * pictures that they have where they are, and turned with their cameras nearly so; cameras that go far; what
  * reads the position in the world. */
 /* ctest: unsanitized seconds=130 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/render/matc_render.h"
 #include "runtime/scene/scene_origin.h"
 #include "tests/frame/frame_draw.h"

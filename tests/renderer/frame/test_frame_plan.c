@@ -1,12 +1,8 @@
 /* Plans of frames, worked out by hand: which passes run, which targets there are, which share memory. And of random lists of passes: what runs
  * finds what it reads, and no two that live at once share. And of the renderer's own list. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "tests/test.h"
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 #include "runtime/frame/frame.h"
 #include "runtime/render/passes.h"
 

@@ -1,10 +1,6 @@
 /* The GL layer, in software: contexts, framebuffers, programs in every language, what is said of faults.
  * test_gl egl: by EGL; status 77 where there is none. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/texture.h"

@@ -1,10 +1,6 @@
 /* Textures of the GL layer, in software: what they hold, codes of sRGB, footprints.
  * test_gl_texture egl: by EGL, whose drivers take more samples along a footprint; status 77 where there is none. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/texture.h"

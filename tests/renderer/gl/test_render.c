@@ -1,10 +1,6 @@
 /* The bridge from a MatcProgram to GL: what is shared is there once, what is a material's own stays its own, numbers change in their
  * buffer, blocks are filled as the driver lays them out, what fails says so and leaves nothing behind. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/draw/field.h"
 #include "runtime/draw/reader.h"
 #include "runtime/gl/screen.h"

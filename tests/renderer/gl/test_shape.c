@@ -1,9 +1,5 @@
 /* Shapes and matrices of the GL layer: which way they turn, that derivatives are those of the position, and which are closed. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/gl/matrix.h"
 #include "runtime/gl/mesh.h"
 #include <math.h>

@@ -1,10 +1,6 @@
 /* Surface models beside Phong, which the renderer has never heard of: Lambert's, which is Phong without its lobe, and a flat one, whose picture is
  * its slot. No pass is another for them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

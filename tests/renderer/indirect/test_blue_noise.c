@@ -1,18 +1,14 @@
 /* The mask of blue noise (runtime/indirect/blue_noise.c): it is what void-and-cluster gives, and its spectrum has next to nothing low, whatever white noise has.
  * `build/tests/test_blue_noise print`: its rows, as that file has them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/blue_noise.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { EDGE = BLUE_NOISE_EDGE, PIXELS = EDGE * EDGE, FIRST = PIXELS / 10, WIDTH_MOST = EDGE / 2 };
-#define PI 3.14159265358979323846
 
 static uint32_t near_by
     [EDGE]

@@ -1,9 +1,5 @@
 /* The view of voxels against small steps along each ray; what is refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/indirect_state.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"

@@ -1,10 +1,6 @@
 /* What rays found in frames before: means over sets of rays, where a camera or an object moves, and when it stops. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_running.h"
 #include <math.h>

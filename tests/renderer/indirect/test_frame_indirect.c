@@ -1,19 +1,15 @@
 /* Openness and indirect light by what the picture shows, against closed forms; what becomes of it in the light. */
 /* ctest: seconds=20 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_ray.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { WIDTH = 96, HEIGHT = 72, PIXELS = WIDTH * HEIGHT, TEXT = 4096 };
-#define PI    3.14159265358979323846
 #define IMAGE "image: { width: 96, height: 72 }\n"
 
 typedef struct {

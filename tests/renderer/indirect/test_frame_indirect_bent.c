@@ -1,11 +1,7 @@
 /* Bent normals, the means of directions that are open, against rays of Embree; and what light of half a sky would be by them, against the same rays: by openness times what arrives along the normal, and along the bent one; and
  * what it is, by the rays that meet nothing, and with `directional: false`. */
 /* ctest: seconds=10 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/open_ray.h"
 #include <math.h>

@@ -1,9 +1,5 @@
 /* No glow at shadow edges: across the sharp edge of a lamp's shadow light that comes by other surfaces goes on evenly. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_ray.h"
 #include <math.h>

@@ -1,9 +1,5 @@
 /* Keys of `indirect:` that no other test looks at, by what they are said to do: the contrast of openness, and how far off the surface rays begin. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,10 +1,6 @@
 /* Indirect light where the driver has less than OpenGL 4.3: there is no compute, and there are no voxels. `auto` takes what there is, and says why; what takes voxels is an error by name; pictures are those of newer
  * drivers. Mesa says that it is older where MESA_GL_VERSION_OVERRIDE does. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

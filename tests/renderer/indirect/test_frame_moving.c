@@ -1,10 +1,6 @@
 /* `moving:` of indirect light: a frame in which something is another than before is what the coarser resolution gives; the next one, where nothing is, what the finer does. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/indirect_state.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/frame_draw.h"

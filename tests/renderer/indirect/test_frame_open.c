@@ -1,15 +1,11 @@
 /* The truth of indirect light, by rays, against closed forms: walls, balls, a lamp's form factor, two bounces between planes; weights by distance. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/open_ray.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 
-#define PI 3.14159265358979323846
 #define HEAD                                                                                                           \
     "image: { width: 16, height: 16 }\ncamera: { camera: Perspective, position: [0, 0, 5], target: [0, 0, 0], up: "    \
     "[0, 1, 0] }\nmaterials: { m: { material: Phong, diffuse: .5, specular: 0 }, e: { material: Phong, diffuse: 0, "   \

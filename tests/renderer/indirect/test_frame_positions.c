@@ -1,19 +1,15 @@
 /* The view of what the picture knows as a mesh, from beside, against rays in double: what it shows grey is what a camera there meets
  * of what the picture's own camera sees, too, and from the same side. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_ray.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT, TEXT = 2048 };
-#define PI 3.14159265358979323846
 
 static const char body[] =
     "image: { width: 160, height: 120 }\nmaterials: { m: { material: Phong } }\nobjects:\n"

@@ -1,11 +1,7 @@
 /* Light of what the picture does not show: nothing of it gets through walls, what is behind the camera sends what rays in double say, as infinite planes do, and what changes is as if it were made
  * anew. */
 /* ctest: unsanitized seconds=40 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/open_ray.h"
 #include "tests/frame/shadow_ray.h"

@@ -1,10 +1,6 @@
 /* Bodies as voxels: what crosses, what is thin, what is hostile. No ray gets out of a room whose walls cross in its corners, from half a voxel to two
  * thick; bodies that cross leave nothing out; documents that are meant to harm give voxels, in time, and no fault of GL. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/voxels.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_voxels.h"

@@ -1,19 +1,15 @@
 /* Cut-outs in voxels: which are full against what is cut away in double, openness and light beneath them against rays in double; a closed mesh with holes is no body; what is cut away may change. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/indirect_state.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { EDGE = 64, PIXELS = EDGE * EDGE, SIZE = 128, ACROSS = 32, SHEETS = 2 };
-#define PI     3.14159265358979323846
 #define RADIUS 1.2
 
 /* A fence of squares, of which every other one is cut away, and one across the axes, whose holes are as large as voxels; a ball with holes; plain glass; a ground. The middle of the ground lies at z = 0. */
@@ -48,14 +44,6 @@ static const Sheet sheets[SHEETS] = {
     {{-.8, -.75, .813}, {1.6, .1, 0}, {-.1, 1.5, 0}, {4, 6}, {.8, .4, .2}, 0},
     {{.3, .1, .113}, {.9, .1, .5}, {-.2, .6, .4}, {12, 8}, {.2, .4, .8}, 1},
 };
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* Where a line meets the sheet's plane, in multiples of its way; `uv` of the place. */
 static double meet(const Sheet *sheet, const double from[3], const double way[3], double uv[2])

@@ -1,11 +1,7 @@
 /* Surfaces of small triangles, which need no rasteriser: they fill the voxels that the rasteriser fills, but for those on its edges; a shell whose corners and edges lie on the lines that are
  * asked keeps a flood out, however it is turned; large triangles, and what is cut out, stay with the rasteriser. */
 /* ctest: seconds=21 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"

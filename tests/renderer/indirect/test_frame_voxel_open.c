@@ -1,10 +1,6 @@
 /* How open points are by rays through voxels, against the same rays by Embree: closed meshes as bodies and as surfaces, by where rays begin. Prints the
  * table of docs/indirect.md. `build/tests/test_frame_voxel_open FILE.obj LIFT`: of that mesh, y up, so far above the ground. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_ray.h"

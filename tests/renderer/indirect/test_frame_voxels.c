@@ -1,11 +1,7 @@
 /* Voxels of scenes, bit by bit, against triangles in double: middles within closed bodies by counting what lies before them, surfaces by lines through
  * middles; levels by those below; a room that nothing gets out of; what is moved. */
 /* ctest: seconds=19 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/voxels.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_calls.h"

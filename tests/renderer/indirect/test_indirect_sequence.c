@@ -1,9 +1,5 @@
 /* Samples of indirect light's rays: published values; that sets of them are nets; that those of tiles of pixels are. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/indirect/indirect_sequence.h"
 #include <math.h>
 #include <string.h>

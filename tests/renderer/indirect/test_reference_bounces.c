@@ -2,11 +2,7 @@
  *
  *     test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one bounce with each of these keys */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_picture.h"
 #include <math.h>

@@ -1,10 +1,6 @@
 /* Indirect light in tiles with as much around them as it looks at, against the same picture drawn at once; what has to be drawn at once. */
 /* ctest: seconds=10 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,11 +1,7 @@
 /* Rays through slice maps: voxelRay against the walk through single voxels, bit for bit, and both against a walk in double. Grids at random and hostile
  * ones; rays along axes, faces and edges, from outside, of any length, with lanes that are 0 or no numbers. Prints the bricks that a ray reads. */
 /* ctest: seconds=12 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/voxel_walk.h"

@@ -1,10 +1,6 @@
 /* Light of a parallelogram on a point: the GLSL against Lambert's formula and Arvo's moments in double, and those against sums over
  * triangles of the light. Points near, far, behind, on the light's plane and its edges. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/area_reference.h"
 #include "tests/frame/frame_cases.h"

@@ -1,14 +1,11 @@
 /* What far lights are taken for, at groups of surfaces made to be nasty: the series of their even light and the expansion of their gloss, as the GLSL
  * has them, against the light itself in double. What is left out is within the bounds that far_terms.glsl and far_lobe.glsl state. */
 /* ctest: alone */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/frame/frame_cases.h"
 #include "tests/frame/frame_draw.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,8 +60,6 @@ static double random_unit(void)
     random_state = random_state * 1664525u + 1013904223u;
     return (random_state >> 8) / 16777216.;
 }
-
-static double dot(const Vector a, const Vector b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static void normalize(Vector v)
 {

@@ -1,9 +1,5 @@
 /* Area lights of any size, under OSMesa, against closed forms: a plane of light without end, and half of one. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

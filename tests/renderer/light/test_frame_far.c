@@ -1,11 +1,7 @@
 /* Far lights that are taken together, beside all that a renderer does otherwise: their memory, drivers that have too little for them, changes, tiles, edges,
  * layouts. That they are within their bound at all is test_frame_lights.c's. */
 /* ctest: seconds=19 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_change.h"
 #include "tests/frame/frame_lamps.h"
 #include <math.h>

@@ -1,11 +1,7 @@
 /* Many lights: of every kind in any order, more than a block of numbers holds, against the reference in double; and far ones that are taken together,
  * against all of them. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"

@@ -2,11 +2,7 @@
  * one without is the share of light that arrives. It is that of the ray wherever no end of a shadow is near: where points of the surface's
  * tangent plane, a few texels away as the light sees them, all agree. So what is lit wrongly there is a leak, what is dark is acne. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/shadow_band.h"
 #include "tests/frame/shadow_scene.h"
 #include <math.h>

@@ -1,10 +1,6 @@
 /* What is left out of far lights keeps the picture within half a step of 8 bits, or of halves: the claims of light_bound.c, proved by intervals and by
  * signs of polynomials where they are proved by numbers, tried where its comment proves them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/light/light_far.h"
 #include "tests/frame/frame_lamps.h"
 #include <math.h>

@@ -3,21 +3,16 @@
  * The slot's effect has to be several times what the comparison allows; where a cell says that
  * there is none, both patches are alike. */
 /* ctest: unsanitized unoptimized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/evaluate.h"
 #include "grammar/scene_tables.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/lit_reference.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const double PI = 3.14159265358979323846;
 
 typedef enum {
     LIGHT_Point,
@@ -268,11 +263,6 @@ static void patch_slots(const Rig *rig, const SceneMaterial *material, const dou
 }
 
 /* -- Light in double --------------------------------------------------------------------------- */
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* An Area and a Sky are met by what a surface sends evenly with its albedo and Lambert's cosine, on
  * either side: the renderer takes fuzz and a rough base so (docs/renderer.md). */

@@ -1,22 +1,18 @@
 /* The lobe of Principled surfaces: the fits of its albedos against integrals in double, the GLSL's lobe against microfacets as they are defined, a
  * white furnace at every roughness, light that changes places with the eye, and colours that no surface sends more of than arrives. */
 /* ctest: seconds=11 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/surface/surface_model.h"
 #include "compiler/matc.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"
 #include "tests/lobe_claims.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double PI = 3.14159265358979323846;
 enum { SIDE = 20 };
 
 /* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on. */

@@ -1,19 +1,15 @@
 /* Principled surfaces that reflect longer one way: the fits of their albedos and the lobe against integrals and definitions in double, a white furnace, light that
  * changes places with the eye, and directions that come back from the G-buffer's number. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/library/chunk.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"
 #include "tests/lobe_claims.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <string.h>
 
-static const double PI = 3.14159265358979323846;
 enum { SIDE = 20 };
 
 /* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on; strength and azimuth vary from pixel to pixel. */
@@ -145,7 +141,6 @@ static void stretch(const Pixel *p, const double v[3], double to[3])
     to[2] = v[2];
 }
 
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 /* Smith's Lambda. */
 static double masking(const Pixel *p, const double v[3])
 {

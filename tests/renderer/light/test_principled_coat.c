@@ -5,6 +5,7 @@
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"
 #include "tests/lobe_claims.h"
+#include "tests/vectors.h"
 
 enum { SIDE = 20 };
 
@@ -55,8 +56,6 @@ static void toward(double cosine, double turn, double v[3])
     const double s = sqrt(fmax(1 - cosine * cosine, 0));
     v[0] = s * cos(turn), v[1] = s * sin(turn), v[2] = cosine;
 }
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* GGX about n, by Fresnel's term of Schlick, times the cosine and pi. */
 static double coat_of(double rough, double reflectance, const double n[3], const double v[3], const double l[3])

@@ -1,9 +1,5 @@
 /* The four most common kinds of Principled in compact's 16 bytes a pixel: slots within what their bits may lose, and light against that of whole floats. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,11 +1,7 @@
 /* A Principled's rough diffuse base: the lobe and what it loses against sums in double, white furnaces below facets, a coat and fuzz, light that changes places
  * with the eye. */
 /* ctest: seconds=12 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"

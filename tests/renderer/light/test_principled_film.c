@@ -1,9 +1,5 @@
 /* A thin film on a Principled surface: what it reflects against sums over wavelengths in double, a white furnace, light that changes places with the eye. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/fits/observer.h"
 #include "tests/frame/frame_draw.h"

@@ -1,18 +1,14 @@
 /* The lobes over a Principled's base, coat and fuzz: fits against integrals in double, the sum of all against the lobes as they are defined, white
  * furnaces, light that changes places with the eye. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"
 #include "tests/lobe_claims.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdlib.h>
 
-static const double PI = 3.14159265358979323846;
 enum { SIDE = 20 };
 
 /* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on. */

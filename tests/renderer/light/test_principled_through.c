@@ -1,10 +1,6 @@
 /* Light that goes through a Principled surface: as a dielectric lets it, and scattered within thin walls. What is reflected and what goes through are
  * all of white together, light from behind is as integrals in double have it, and changes places with the eye; each surface alone has its program. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"

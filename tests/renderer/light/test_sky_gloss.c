@@ -1,20 +1,16 @@
 /* Principled surfaces in the light of a picture: integrals in double that draw directions where it is bright and where facets look (frame/sky_reference.h), against themselves by other sums, and what is drawn
  * against them; of brushed ones sums over even directions; white under white. The picture is a studio by formulas: two windows, 60 and 12 times as bright as its walls. */
 /* ctest: seconds=36 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_picture.h"
 #include "tests/frame/sky_reference.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 enum { SIDE = 96, PIXELS = SIDE * SIDE };
 #define VIEW                                                                                                           \
     "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [0, -40, 0], target: [0, 0, 0], "      \

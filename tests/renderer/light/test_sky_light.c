@@ -1,20 +1,16 @@
 /* The sky as a light: irradiance and lobes on a sphere against integrals in double of what the oracle says the sky is; closed forms under skies
  * of one colour; the sun that goes with it, in scenes and in the reflection. */
 /* ctest: seconds=20 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "compiler/evaluate.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_draw.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 enum { SIDE = 96, PIXELS = SIDE * SIDE };
 /* The camera's axes are the world's: right x, up z, and it looks along y. */
 #define VIEW                                                                                                           \
@@ -64,8 +60,6 @@ typedef struct {
     double way[3], light[3];
 } Ray;
 static Ray rays[HEIGHTS * TURNS];
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* Rays of equal solid angles, and what the oracle says is seen along them. */
 static void trace(const Read *r)

@@ -1,9 +1,5 @@
 /* What is where nothing is seen: tiles and a glow by their formulas, whatever the tone mapping, and as glass before them lets them through; a glow with tiles behind the glass. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,11 +1,7 @@
 /* Edges blended by coverage, against 8 x 8 rays of Embree through each pixel, flat colours of objects mapped one by one; lines of the picture by
  * closed forms; what hides them; tiles. */
 /* ctest: seconds=10 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/cache/edge_list.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_ray.h"

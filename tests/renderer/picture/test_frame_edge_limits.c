@@ -1,10 +1,6 @@
 /* Thresholds of the edge pass: for each a scene of which the next plausible value makes another
  * picture. Lines of pixels are compared with the lengths that a line cuts off them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

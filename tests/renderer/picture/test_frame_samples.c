@@ -1,11 +1,7 @@
 /* Samples of a pixel: a picture is the mean of one that is as many times as large, as a screen sends light; of light, depth and slots the mean is
  * plain, and what is no surface has no share in a slot. In tiles, with edges, in compute and in fragments. */
 /* ctest: seconds=19 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,6 @@
 /* What a draw tells formulas, by closed forms: the direction to the viewer, of rays that meet in an eye and of parallel ones, on meshes and on planes;
  * time, when it changes, too; the number of an object, drawn by instances and one by one; what a mesh has at its vertices, and the slope of that. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,11 +1,7 @@
 /* Planes whose transparency varies, as what casts shadows: what a second frame calls, what changes, what is there and what is refused. That light is right,
  * test_frame_cast.c says. */
 /* ctest: seconds=10 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_change.h"
 #include <stdio.h>

@@ -1,11 +1,7 @@
 /* Tools: which pixels a line covers, by its closed form; that surfaces before it hide it, that it is whole on the plane it lies in, and which colour it has behind
  * glass, before tone mapping and after; that nothing runs where there are none. */
 /* ctest: seconds=14 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/picture/tool_lines.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"

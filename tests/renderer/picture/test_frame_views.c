@@ -1,11 +1,7 @@
 /* Views as PNG files show them, under OSMesa: each has more than sixteen colors in five scenes, depth and
  * normals are the documented formulas, and OpenEXR files keep the renderer's numbers. */
 /* ctest: unsanitized seconds=20 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "grammar/tables.h"
 #include "runtime/view/scene_picture.h"
 #include "tests/frame/frame_draw.h"

@@ -1,11 +1,7 @@
 /* Thresholds and weights of passes: functions of pass_history.glsl, pass_smooth.glsl, shadow.glsl
  * and indirect_mask.glsl alone, with formulas in the place of textures, against the same rules written in
  * double from their comments. What a picture shows of them is within its noise. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/pass_values.h"

@@ -1,11 +1,7 @@
 /* Frames against pictures that Cycles and POV-Ray made of the same documents: tests/reference/README.md. The light of each pixel, but along
  * edges and where nothing is, which a picture's alpha says. Then frames with faults that somebody might make: none of them may pass. */
 /* ctest: unsanitized seconds=19 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_picture.h"
 #include <math.h>

@@ -1,11 +1,7 @@
 /* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterised surfaces to the last bits; what memory a tile
  * may take. `build/tests/test_tiles FILE... [egl]` prints by how much tiles of these scenes are off. */
 /* ctest: seconds=16 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -1,11 +1,7 @@
 /* Tone mapping: what is shown against the formulas of scene.def in double, on the light that is read back; what is measured of a picture, by
  * both entries; black pictures, light that is no number, infinite or all in one pixel. */
 /* ctest: seconds=11 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/draw/measure.h"
 #include "runtime/render/render.h"

@@ -1,9 +1,5 @@
 /* Meshes out of files: a square whose tangents are known, in every format; what is missing; files that are damaged or hostile. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/scene/model.h"
 #include <math.h>
 #include <signal.h>

@@ -1,9 +1,5 @@
 /* Copies at random: the generator against published numbers, places by hand, that all of a range is taken, what is refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/scene/scene_scatter.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "tests/scene_text.h"
+#include "tests/vectors.h"
 
 /* The height of a place of the object's space, in units of the world. */
 #define HEIGHT "'= .5 * sin(x) * cos(.7 * y)'"
@@ -11,8 +12,6 @@ static double height(const double p[3], double slope[2])
     slope[1] = -.35 * sin(p[0]) * sin(.7 * p[1]);
     return .5 * sin(p[0]) * cos(.7 * p[1]);
 }
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static void unit(double v[3])
 {

@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include "tests/scene_text.h"
-
-#define PI 3.14159265358979323846
+#include "tests/vectors.h"
 
 enum { COPIES = 20000, CELLS = 100 };
 

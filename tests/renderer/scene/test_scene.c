@@ -1,16 +1,12 @@
 /* Scenes as they are read: matrices, cameras and lights by closed forms; solids by their volume, and by what a step of u or v does to them. */
+#include "tests/test.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
-#include <cmocka.h>
 #include "compiler/base/session.h"
 #include "tests/scene_text.h"
-
-#define PI 3.14159265358979323846
+#include "tests/vectors.h"
 
 /* Shear, scale, turn about x, y, z, shift: semantics of XYZTransform. Groups stand around. Numbers worked out by hand. */
 static void transformations(void **state)
@@ -123,14 +119,6 @@ static void subtract(const float *a, const float *b, double out[3])
 {
     for (int i = 0; i < 3; i++)
         out[i] = (double)a[i] - b[i];
-}
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
 /* Sum over the triangles of a . (b x c) / 6: the volume, where all turn counterclockwise and none is missing. */

@@ -1,12 +1,9 @@
 /* Defaults, ranges, units and presets of scenes, each written down in scene_defaults.def. A key
  * of scene.def that has no row there fails, as does a row that scene.def lacks. */
 #include "grammar/scene_tables.h"
+#include "tests/test.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-#include <cmocka.h>
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 

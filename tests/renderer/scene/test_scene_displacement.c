@@ -1,10 +1,6 @@
 /* Displaced meshes without a picture: where vertices go, by closed forms; that what is closed stays closed, bit for bit; that none goes beyond what matc
  * says of its material; which objects share a mesh, and what is refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene.h"
 #include "runtime/scene/scene_divide.h"

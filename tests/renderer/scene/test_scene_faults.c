@@ -1,10 +1,6 @@
 /* What is refused of scenes, where and in which words; several faults in one run; aliases that would unfold to 4^30 objects. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "tests/test.h"
 #include <stdio.h>
-#include <cmocka.h>
 #include "tests/scene_text.h"
 
 /* The first line that is said; what stands behind has the source. */

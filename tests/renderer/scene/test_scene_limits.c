@@ -1,10 +1,6 @@
 /* Limits of scenes, each at its border and one beyond it: scene.h, scene_area.h and scene_origin.c
  * name them, docs/stability.md lists those that an author may meet. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_origin.h"
 #include <stdio.h>

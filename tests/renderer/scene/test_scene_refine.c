@@ -1,10 +1,6 @@
 /* Bisection: whatever is divided, in whatever order, no edge has a point of another triangle within, seen by the half-edges alone; and by error: what is flat stays
  * as it is, what is found is finer, and the error is that of many times as many triangles of an even division. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/scene/scene_bisection.h"
 #include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_refine.h"

@@ -1,9 +1,5 @@
 /* Volumes instead of surfaces, as triangles: closed, with the volume, the holes and the normals of closed forms; on bases that are flat, curved, open, or of several sides. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene.h"
 #include "runtime/scene/scene_divide.h"

@@ -1,9 +1,5 @@
 /* The measure of matbench shadows: ends of discs by their closed forms, seen straight and aslant; what is not measured. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/boundary.h"
 #include <math.h>
 #include <stdlib.h>

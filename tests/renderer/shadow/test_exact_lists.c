@@ -1,14 +1,11 @@
 /* Lists of exact shadows, as the driver's programs make them: whatever stands between a point and a light, in double, is in the list of the point's
  * cell; each cell has all triangles that cover any of it, by a clipper that goes through cell by cell, and few others. */
 /* ctest: seconds=11 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/exact/exact_cover.h"
 #include "tests/frame/exact_cells.h"
 #include "tests/frame/frame_draw.h"
+#include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -99,14 +96,6 @@ static void close_made(Made *made)
     store_free(made->store);
     gl_close(made->gl);
     free(made->words);
-}
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    for (int i = 0; i < 3; i++)
-        c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
 /* Whether a triangle is met by at + t way, 0 < t < most: by volumes. */

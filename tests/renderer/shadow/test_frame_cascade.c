@@ -1,10 +1,6 @@
 /* Cascades of a directional light: their texels stand still while the camera moves and turns, and so do ends of shadows in pictures. That light is right in each
  * of them, test_frame_cast.c says. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/shadow/shadow_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include "tests/frame/frame_draw.h"

@@ -2,11 +2,7 @@
  * wherever no end of a shadow is near: where points of the tangent planes of all its layers, a few texels away as each light sees them, have
  * the same light. There a shadow map knows all that a ray does. */
 /* ctest: unsanitized unoptimized seconds=50 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/glass_ray.h"
 #include "tests/frame/reference_light.h"

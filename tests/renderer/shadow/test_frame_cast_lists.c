@@ -1,10 +1,6 @@
 /* Coloured shadows by their closed form, and what is there for them: lists where something transparent casts shadows, and nowhere else. */
 /* ctest: seconds=50 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

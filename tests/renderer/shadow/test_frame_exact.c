@@ -1,11 +1,7 @@
 /* Exact shadows: no pixel is wrong by Embree's rays, and by all triangles in double where those are asked again. `build/tests/test_frame_exact
  * 10000000` draws as many pixels at least, and `... 10000000 egl` on a GPU. */
 /* ctest: seconds=31 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_change.h"
 #include "tests/frame/shadow_judge.h"
 #include "tests/frame/shadow_pair.h"

@@ -1,11 +1,7 @@
 /* Exact shadows where chance would hardly come: rays through edges bit for bit, what is beyond a light, a camera that moves past what is opaque alone,
  * copies of which one is mirrored, glass that casts in two ways at once. */
 /* ctest: seconds=22 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_change.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,5 @@
 /* Steps of a moving light: no pixel flickers by exact shadows that does not by rays; by maps some do. The measure of flicker by hand. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/flicker.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_judge.h"

@@ -1,11 +1,7 @@
 /* Hybrid shadows against rays of Embree for each kind of light and volume, outside of a stated band around the ends of shadows; a shadow's end by
  * its closed form; paths of data against each other, bit for bit; turned diagonals against distances from planes. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/render/render.h"

@@ -1,10 +1,6 @@
 /* Where hybrid shadows begin: at a caster's back faces, so that light comes through at the foot of a step, up to the first texel's centre beyond it. By its
  * closed form, for bodies that lie elsewhere in the map's grid of texels. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/shadow_pair.h"

@@ -1,10 +1,6 @@
 /* How many shadow maps a light has, how near to a light something still casts a shadow, and what
  * does not shade itself: the limits that scene.def and shadow_views.c name. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,6 @@
 /* Shadows of meshes that others made (tests/meshes), against rays of Embree: how far their ends are off, on four receivers. */
 /* ctest: unsanitized seconds=29 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/shadow_ends.h"
 #include "tests/meshes/meshes.h"
 #include <string.h>

@@ -1,11 +1,7 @@
 /* Silhouette shadows against rays of Embree: mean distances of their ends from the true ones, on four receivers; pixels that are wrong away from ends, for each kind
  * of light, from half a degree over the ground to straight above. */
 /* ctest: unsanitized seconds=17 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/shadow_band.h"
 #include "tests/frame/shadow_ends.h"
 #include "tests/frame/shadow_knot.h"

@@ -1,10 +1,6 @@
 /* Silhouette shadows of a scene that changes, beside other lights, with something of glass, and on drivers that cannot have them. */
 /* ctest: seconds=25 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_change.h"
 #include "tests/frame/shadow_scene.h"
 #include <stdlib.h>

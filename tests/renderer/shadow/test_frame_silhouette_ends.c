@@ -1,10 +1,6 @@
 /* Silhouette shadows: ends of shadows by closed forms, where several edges cross one segment between texels, where an edge is hidden below the ground,
  * where an edge runs along the centres of texels, and where normals are not the surface's. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_ray.h"
 #include <math.h>

@@ -2,11 +2,7 @@
  * shadows, which is the reference's, in double. `build/tests/test_frame_soft SEED SIZE` takes other rays and other pixels, and maps of that size,
  * for which there are no bounds but for 512. */
 /* ctest: unsanitized seconds=28 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_change.h"
 #include "tests/frame/glass_ray.h"
 #include "tests/frame/reference_light.h"

@@ -1,11 +1,7 @@
 /* Shadow volumes that silhouettes cut: the triangles of a cell close it, however it is crossed; ends of shadows beside those of plain volumes; what is transparent, what
  * changes, and what is refused. test_frame_hybrid.c has them by rays, and an end by its closed form. */
 /* ctest: unsanitized seconds=14 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/frame/shadow_ends.h"
 #include "tests/frame/shadow_knot.h"

@@ -1,10 +1,6 @@
 /* Views of shadow volumes and of objects as lines: what they cover and how light they are by closed forms; what they leave as it is; changes, tiles, and
  * what is refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -1,9 +1,5 @@
 /* Silhouette shadows: which part of a cell between four texels' centres is covered, against polygons in double. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/draw/screen_pass.h"
 #include "tests/frame/frame_draw.h"

@@ -1,11 +1,7 @@
 /* Glass that stands on something opaque: its face there lies in the same plane, and no pixel takes it for nearer. Each picture is compared with that of a block that reaches a little
  * below, whose face is hidden for certain. */
 /* ctest: unsanitized */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

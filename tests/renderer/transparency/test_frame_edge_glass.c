@@ -1,9 +1,5 @@
 /* Edges and glass: lines of what is behind it, its own outlines, before something near and before nothing. Against 8 x 8 samples of each pixel. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdlib.h>

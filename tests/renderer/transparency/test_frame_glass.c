@@ -1,10 +1,6 @@
 /* Transparent surfaces: layers against their closed form, scenes against the reference, lists against peeling; what there is no room for. */
 /* ctest: unsanitized unoptimized seconds=35 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>

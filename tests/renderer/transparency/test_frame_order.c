@@ -1,9 +1,5 @@
 /* Transparent objects are drawn from the farthest on where their fragments go to lists, for any camera; the picture does not depend on it. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
