@@ -1,6 +1,7 @@
 /* The library's surface: what a material is at a point. */
 #include "compiler/evaluate.h"
 #include "compiler/base/memory.h"
+#include "compiler/base/vec3.h"
 #include "compiler/choice.h"
 #include "compiler/document.h"
 #include "compiler/pipeline.h"
@@ -211,7 +212,7 @@ static Surface surface_of(const MatcPoint *point, double time)
 /* v by a number, as a unit vector; 0 where it has no length. */
 static void add_along(double position[3], const double v[3], double by)
 {
-    const double least = 1e-30, size = fmax(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), least);
+    const double least = 1e-30, size = fmax(vec3_length(v), least);
     for (int lane = 0; lane < 3; lane++)
         position[lane] += by * v[lane] / size;
 }

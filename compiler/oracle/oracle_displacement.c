@@ -1,5 +1,6 @@
 /* True displacement (semantics.md 4.8): how far a point moves, the slopes of that, and the frame of the surface there. */
 #include "compiler/oracle/oracle_maps.h"
+#include "compiler/base/vec3.h"
 #include <math.h>
 
 enum { ALONG_N = 2 };
@@ -59,21 +60,12 @@ void oracle_move(Environment *environment, const Node *displaced, OracleDisplace
     }
 }
 
-static double length(const double v[3]) { return fmax(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), 1e-30); }
-
-/* a x b, but for the part along the normal times itself, which is 0: of steep slopes it would be noise. */
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    for (int i = 0; i < 3; i++)
-        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double length(const double v[3]) { return fmax(vec3_length(v), 1e-30); }
 
 /* How n / |n| changes where n changes by so much. */
 static void turn_of(const double n[3], const double change[3], double turn[3])
 {
-    const double size = length(n), along = dot(n, change) / (size * size);
+    const double size = length(n), along = vec3_dot(n, change) / (size * size);
     for (int i = 0; i < 3; i++)
         turn[i] = (change[i] - along * n[i]) / size;
 }
@@ -81,7 +73,7 @@ static void turn_of(const double n[3], const double change[3], double turn[3])
 /* A tangent that moves along itself by x and along its other by y goes down where the normal turns toward them. */
 static double falls(const OracleDisplacement *d, const double turn[3], const double tu[3], const double tv[3])
 {
-    return d->by[0] * dot(turn, tu) / length(tu) + d->by[1] * dot(turn, tv) / length(tv);
+    return d->by[0] * vec3_dot(turn, tu) / length(tu) + d->by[1] * vec3_dot(turn, tv) / length(tv);
 }
 
 /* How the unit vector of a tangent turns about the normal. */
@@ -89,7 +81,7 @@ static void swing_of(const double n[3], const double tangent[3], const double ch
 {
     double turn[3];
     turn_of(tangent, change, turn);
-    const double size = length(n), along = dot(n, turn) / (size * size);
+    const double size = length(n), along = vec3_dot(n, turn) / (size * size);
     for (int i = 0; i < 3; i++)
         swing[i] = turn[i] - along * n[i];
 }
@@ -114,8 +106,8 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
            *tv = &surface->root[channel_id(GROUP_DV, 0)];
     double slid_u[3], slid_v[3], flat[3], across[3], lifted[3], mesh[3], turn_u[3], turn_v[3];
     const double size_n = length(n), size_u = length(tu), size_v = length(tv);
-    cross(tu, tv, mesh);
-    const double side = dot(mesh, n) < 0 ? -1 : 1;
+    vec3_cross(tu, tv, mesh);
+    const double side = vec3_dot(mesh, n) < 0 ? -1 : 1;
     turn_of(n, surface->normal_u, turn_u);
     turn_of(n, surface->normal_v, turn_v);
     const double up_u = d.by_u[ALONG_N] - falls(&d, turn_u, tu, tv), up_v = d.by_v[ALONG_N] - falls(&d, turn_v, tu, tv);
@@ -131,8 +123,9 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
         tu[i] = slid_u[i] + up_u * unit;
         tv[i] = slid_v[i] + up_v * unit;
     }
-    cross(slid_u, slid_v, flat);
-    cross(n, across, lifted);
+    /* The product of the new tangents leaves out n x n, which is 0 but noise on steep slopes. */
+    vec3_cross(slid_u, slid_v, flat);
+    vec3_cross(n, across, lifted);
     for (int i = 0; i < 3; i++)
         n[i] = side * (flat[i] + lifted[i] / size_n);
 }

@@ -1,6 +1,7 @@
 /* Expression: its formula in double precision, by the VALUE lines of expression.def. */
 #include "compiler/formula/formula.h"
 #include "compiler/base/memory.h"
+#include "compiler/base/vec3.h"
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/library/references.h"
 #include <math.h>
@@ -31,7 +32,7 @@ static void quantity_at(Environment *environment, const Node *node, Quantity qua
         quantity_at(environment, node, QUANTITY_N, n);
         toward_viewer(environment, v);
         for (int i = 0; i < 4; i++)
-            result[i] = fmin(fabs(n[0] * v[0] + n[1] * v[1] + n[2] * v[2]), 1);
+            result[i] = fmin(fabs(vec3_dot(n, v)), 1);
         return;
     }
     double group[3];

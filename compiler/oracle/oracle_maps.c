@@ -1,5 +1,6 @@
 /* The answers of constants, of volume functions with their waves, and of Blend (semantics.md 2.1, 2.3, 2.4, 2.5). */
 #include "compiler/oracle/oracle_maps.h"
+#include "compiler/base/vec3.h"
 #include <assert.h>
 
 static Answer *const answers[KIND_COUNT] = {
@@ -151,7 +152,7 @@ double oracle_Gradient(Environment *environment, const Node *node, int channel)
     double p[3], direction[3];
     oracle_ask_input3(environment, node, GROUP_X, p);
     oracle_number3(node, P_Gradient_direction, direction);
-    double f = p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2];
+    double f = vec3_dot(p, direction);
     return oracle_same_of_all(environment, node, channel, oracle_waved(environment, node, f));
 }
 

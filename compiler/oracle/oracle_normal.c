@@ -1,5 +1,6 @@
 /* The answers of the normal modifiers and of the filters (semantics.md 2.7, 2.8). */
 #include "compiler/oracle/oracle_maps.h"
+#include "compiler/base/vec3.h"
 #include <string.h>
 
 /* The surface's frame: normal and both tangents. */
@@ -14,7 +15,7 @@ static void ask_frame(Environment *environment, const Node *node, Frame *frame)
     oracle_ask_input3(environment, node, GROUP_DV, frame->dv);
 }
 
-static double guarded_length(const double v[3]) { return fmax(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), 1e-30); }
+static double guarded_length(const double v[3]) { return fmax(vec3_length(v), 1e-30); }
 
 static double cross(const double a[3], const double b[3], int lane)
 {

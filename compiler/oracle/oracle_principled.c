@@ -1,5 +1,6 @@
 /* The slots of Principled, of a coat over a material, and of two materials mixed (semantics.md, section 4). */
 #include "compiler/oracle/oracle_maps.h"
+#include "compiler/base/vec3.h"
 #include <math.h>
 #include <string.h>
 
@@ -76,13 +77,9 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
         return;
     if (node_param(material, P_Principled_tangent)->kind != VALUE_none) {
         oracle_ask_colour(environment, material, P_Principled_tangent, tangent);
-        for (int i = 0; i < 3; i++)
-            m[i] = du[(i + 1) % 3] * dv[(i + 2) % 3] - du[(i + 2) % 3] * dv[(i + 1) % 3];
-        for (int i = 0; i < 3; i++)
-            beside[i] = m[(i + 1) % 3] * du[(i + 2) % 3] - m[(i + 2) % 3] * du[(i + 1) % 3];
-        const double along = tangent[0] * du[0] + tangent[1] * du[1] + tangent[2] * du[2];
-        turn += 2 * atan2(tangent[0] * beside[0] + tangent[1] * beside[1] + tangent[2] * beside[2],
-                          along * sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]));
+        vec3_cross(du, dv, m);
+        vec3_cross(m, du, beside);
+        turn += 2 * atan2(vec3_dot(tangent, beside), vec3_dot(tangent, du) * vec3_length(m));
     }
     result->lane[SLOT_anisotropy][0] = strength * cos(turn);
     result->lane[SLOT_anisotropy][1] = strength * sin(turn);
@@ -259,7 +256,7 @@ static void mix_slot(const Environment *environment, Slot slot, const SlotValues
     for (int i = 0; i < 3; i++)
         mean[i] = a[i] * (1 - by) + b[i] * by;
     if (slot == SLOT_coatNormal) {
-        const double size = fmax(sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]), 1e-15);
+        const double size = fmax(vec3_length(mean), 1e-15);
         for (int i = 0; i < 3; i++)
             mean[i] /= size;
     } else if (slot_mixing(slot) == MIXING_DIRECTION) {

@@ -1,12 +1,11 @@
 /* The answer of NormalMap: a normal in the space of the surface's tangents. */
 #include "compiler/oracle/oracle_maps.h"
-
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+#include "compiler/base/vec3.h"
 
 /* 0 for what has no length. */
 static void make_unit(double v[3])
 {
-    const double size = fmax(sqrt(dot(v, v)), 1e-30);
+    const double size = fmax(vec3_length(v), 1e-30);
     for (int i = 0; i < 3; i++)
         v[i] /= size;
 }
@@ -27,13 +26,13 @@ static void tangent_normal(Environment *environment, const Node *node, double t[
 static void turned_normal(const double t[3], const double n[3], double frame[2][3], double normal[3])
 {
     double along[3];
-    const double leans = dot(frame[0], n);
+    const double leans = vec3_dot(frame[0], n);
     for (int i = 0; i < 3; i++)
         along[i] = frame[0][i] - leans * n[i];
     make_unit(along);
-    double across[3] = {n[1] * along[2] - n[2] * along[1], n[2] * along[0] - n[0] * along[2],
-                        n[0] * along[1] - n[1] * along[0]};
-    const double side = dot(across, frame[1]) < 0 ? -1 : 1;
+    double across[3];
+    vec3_cross(n, along, across);
+    const double side = vec3_dot(across, frame[1]) < 0 ? -1 : 1;
     for (int i = 0; i < 3; i++)
         normal[i] = t[0] * along[i] + side * t[1] * across[i] + t[2] * n[i];
 }
@@ -53,5 +52,5 @@ double oracle_NormalMap(Environment *environment, const Node *node, int channel)
     if (group_of(channel) == GROUP_N)
         return normal[lane_of(channel)];
     const double *tangent = frame[group_of(channel) == GROUP_DV];
-    return tangent[lane_of(channel)] - n[lane_of(channel)] * dot(normal, tangent) / fmax(dot(normal, n), 1e-3);
+    return tangent[lane_of(channel)] - n[lane_of(channel)] * vec3_dot(normal, tangent) / fmax(vec3_dot(normal, n), 1e-3);
 }

@@ -1,4 +1,5 @@
 #include "runtime/cache/cache_trace.h"
+#include "compiler/base/vec3.h"
 #include "gen/render_text.h"
 #include "runtime/cache/instances.h"
 #include "runtime/cache/trace_text.h"
@@ -179,7 +180,7 @@ static void find_viewer(const double m[16], float viewer[4])
 {
     const double least = 1e-9;
     double at[4] = {minor_of(m, 1, 2, 3), -minor_of(m, 0, 2, 3), minor_of(m, 0, 1, 3), -minor_of(m, 0, 1, 2)};
-    const double size = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+    const double size = vec3_length(at);
     const bool parallel = fabs(m[3]) + fabs(m[7]) + fabs(m[11]) < least * fabs(m[15]);
     const double deep = m[2] * at[0] + m[6] * at[1] + m[10] * at[2];
     const double scale = !parallel ? 1 / at[3] : (deep < 0 ? -1 : 1) / size;

@@ -2,6 +2,7 @@
 #include "runtime/cache/edge_mesh.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
+#include "compiler/base/vec3.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,9 +65,8 @@ static bool face_normal(const EdgeMaker *m, const uint32_t *corner, float normal
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++)
             side[k][i] = (double)position(m, (int)corner[k + 1])[i] - position(m, (int)corner[0])[i];
-    for (int i = 0; i < 3; i++)
-        cross[i] = side[0][(i + 1) % 3] * side[1][(i + 2) % 3] - side[0][(i + 2) % 3] * side[1][(i + 1) % 3];
-    const double length = sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
+    vec3_cross(side[0], side[1], cross);
+    const double length = vec3_length(cross);
     for (int i = 0; i < 3; i++)
         normal[i] = (float)(cross[i] / length);
     return length > 0;

@@ -91,24 +91,6 @@ double scene_matrix_determinant(const SceneMatrix *m)
     return scene_vector_dot(m->m, cross);
 }
 
-double scene_vector_dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-void scene_vector_cross(const double a[3], const double b[3], double result[3])
-{
-    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    memcpy(result, cross, sizeof cross);
-}
-
-bool scene_vector_normalize(double v[3])
-{
-    const double length = hypot(hypot(v[0], v[1]), v[2]);
-    if (!(length > 0) || !isfinite(length))
-        return false;
-    for (int i = 0; i < 3; i++)
-        v[i] /= length;
-    return true;
-}
-
 bool scene_vector_span(const double u[3], const double v[3])
 {
     double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, cross[3];

@@ -1,6 +1,7 @@
 /* Affine matrices and vectors of a scene, in double. */
 #ifndef MATC_SCENE_MATRIX_H
 #define MATC_SCENE_MATRIX_H
+#include "compiler/base/vec3.h"
 #include "compiler/front/graph.h"
 #include "runtime/scene/scene.h"
 
@@ -18,12 +19,12 @@ bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse);
 /* Of the upper left part. */
 double scene_matrix_determinant(const SceneMatrix *m);
 
-double scene_vector_dot(const double a[3], const double b[3]);
-void scene_vector_cross(const double a[3], const double b[3], double result[3]);
+/* The scene's names of vec3.h's functions. */
+#define scene_vector_dot       vec3_dot
+#define scene_vector_cross     vec3_cross
+#define scene_vector_normalize vec3_normalize
 /* Two directions of length 1 at right angles to `along`, of length 1, and to each other; along = x cross y. */
 void scene_vector_axes(const double along[3], double x[3], double y[3]);
-/* False: it has no length, or none that is a number. */
-bool scene_vector_normalize(double v[3]);
 /* Both have a length, and are not on one line. */
 bool scene_vector_span(const double u[3], const double v[3]);
 #endif

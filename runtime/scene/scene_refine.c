@@ -7,6 +7,7 @@
  * At last places are moved off the surface to where triangles miss less: scene_refine_fit.h. What no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and these have up to four times as many samples: a part of the
  * surface that is as large as two triangles of an even division has one within. */
 #include "runtime/scene/scene_refine.h"
+#include "compiler/base/vec3.h"
 #include "runtime/scene/scene_bisection.h"
 #include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_ranks.h"
@@ -329,7 +330,7 @@ static double length_of(const Refiner *r, size_t place)
     double by[3];
     for (int lane = 0; lane < 3; lane++)
         by[lane] = r->to[place][lane] - (double)from[lane];
-    return r->how->length ? r->how->length(r->how->user, by) : sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+    return r->how->length ? r->how->length(r->how->user, by) : vec3_length(by);
 }
 
 /* Places are moved to where triangles miss less, all at once; those that would move farther than any did stay. */

@@ -6,6 +6,7 @@
  *
  *     A ball of radius 1 over a square: h1 = -h0 = sqrt(1 - r^2), f = 1 - r^2 - z^2, whose slopes are those of a ball at its equator too, where each height's has no end. */
 #include "runtime/scene/scene_volume.h"
+#include "compiler/base/vec3.h"
 #include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_volume_spots.h"
 #include <math.h>
@@ -129,15 +130,9 @@ static bool march_to(Making *m, const Shape *from, double triangles)
     return finer == parts || march(m, from, finer);
 }
 
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    for (int i = 0; i < 3; i++)
-        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 static bool put_unit(const double v[3], double side, float to[3])
 {
-    const double size = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    const double size = vec3_length(v);
     for (int i = 0; i < 3 && size > 0; i++)
         to[i] = (float)(side * v[i] / size);
     return size > 0;
@@ -199,14 +194,14 @@ static void put_normal(const SceneColumn around[OFFSETS], const SceneSpot *s, do
     slope[2] = (scene_volume_field(over, pairs, z + offset_part * step) -
                 scene_volume_field(over, pairs, z - offset_part * step)) /
                (2 * offset_part * step);
-    cross(way[0], way[1], sum);
-    whole = sum[0] * over->along[0] + sum[1] * over->along[1] + sum[2] * over->along[2];
+    vec3_cross(way[0], way[1], sum);
+    whole = vec3_dot(sum, over->along);
     for (int i = 0; i < 3; i++)
         sum[i] *= slope[2];
-    cross(way[1], over->along, part);
+    vec3_cross(way[1], over->along, part);
     for (int i = 0; i < 3; i++)
         sum[i] += slope[0] * part[i];
-    cross(over->along, way[0], part);
+    vec3_cross(over->along, way[0], part);
     for (int i = 0; i < 3; i++)
         sum[i] += slope[1] * part[i];
     put_unit(sum, whole > 0 ? -1 : 1, normal);
@@ -220,7 +215,7 @@ static void put_wall_normal(const Making *m, const SceneNode *node, const SceneC
                 *b = m->grid.vertices[index[(node->rim + 1) % 3]].position;
     const double way[3] = {(double)b[0] - (double)a[0], (double)b[1] - (double)a[1], (double)b[2] - (double)a[2]};
     double across[3];
-    cross(way, over->along, across);
+    vec3_cross(way, over->along, across);
     put_unit(across, 1, normal);
 }
 

@@ -1,6 +1,7 @@
 /* A shape, or a viewpoint that somebody names, in; the scene's camera out. */
 #include "runtime/view/camera.h"
 #include "compiler/base/text.h"
+#include "compiler/base/vec3.h"
 #include <math.h>
 #include <string.h>
 
@@ -21,8 +22,6 @@ static const struct {
 #define SKY_ANGLE     (90 * RADIANS)
 #define SKY_ELEVATION (41 * RADIANS) /* the horizon stays in sight */
 #define NEAREST       0.01
-
-static double length_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 /* At a distance from the origin, in a direction. */
 static void stand(Viewpoint *viewpoint, double azimuth, double elevation, double distance)
@@ -66,7 +65,7 @@ static int read_numbers(const char *text, double *numbers, int most)
 static bool is_blind(const Viewpoint *p)
 {
     const double d[3] = {p->target[0] - p->position[0], p->target[1] - p->position[1], p->target[2] - p->position[2]};
-    return hypot(d[0], d[1]) <= 1e-4 * fabs(d[2]) || length_of(d) < 1e-4 || length_of(p->position) > 1e4 ||
+    return hypot(d[0], d[1]) <= 1e-4 * fabs(d[2]) || vec3_length(d) < 1e-4 || vec3_length(p->position) > 1e4 ||
            p->angle < 0.5 * RADIANS || p->angle > 150 * RADIANS;
 }
 
@@ -78,7 +77,7 @@ bool camera_viewpoint_read(const char *text, Viewpoint *viewpoint)
     for (size_t i = 0; i < sizeof presets / sizeof *presets; i++) {
         if (strcmp(presets[i].name, text) != 0)
             continue;
-        stand(viewpoint, presets[i].azimuth, presets[i].elevation, presets[i].nearer * length_of(viewpoint->position));
+        stand(viewpoint, presets[i].azimuth, presets[i].elevation, presets[i].nearer * vec3_length(viewpoint->position));
         return true;
     }
     int count = read_numbers(text, numbers, MOST);

@@ -56,7 +56,7 @@ static void add_square(int lamp, const double way[3], const double up[3], SceneL
 {
     const double half = lamps[lamp].half, sine = half / hypot(half, away),
                  share = 4 / 3.141592653589793 * sine * atan(sine);
-    const double rise = way[0] * up[0] + way[1] * up[1] + way[2] * up[2];
+    const double rise = vec3_dot(way, up);
     double high[3];
     *light = (SceneLight){.kind = SCENE_Area, .shadows = WORD_Shadows_none};
     for (int i = 0; i < 3; i++)

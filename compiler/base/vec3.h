@@ -1,0 +1,36 @@
+/* Vectors of three doubles. Sums are taken in the order x, y, z, so that results are the same to the
+ * bit wherever they are computed.
+ *
+ *     vec3_cross(x, y, z)      z = x times y; z may be x or y
+ *     vec3_length(v)           the root of v . v; vec3_normalize divides by one that cannot overflow */
+#ifndef MATC_VEC3_H
+#define MATC_VEC3_H
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+static inline double vec3_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline double vec3_length(const double v[3]) { return sqrt(vec3_dot(v, v)); }
+
+static inline void vec3_cross(const double a[3], const double b[3], double result[3])
+{
+    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                             a[0] * b[1] - a[1] * b[0]};
+    memcpy(result, cross, sizeof cross);
+}
+
+/* False: the vector has no length, or one that is not finite; it stays as it is. */
+static inline bool vec3_normalize(double v[3])
+{
+    const double length = hypot(hypot(v[0], v[1]), v[2]);
+    if (!(length > 0) || !isfinite(length))
+        return false;
+    for (int i = 0; i < 3; i++)
+        v[i] /= length;
+    return true;
+}
+#endif
