@@ -22,24 +22,32 @@ typedef struct {
     const char *text;
 } Row;
 
-#define V(x, y, z)                                                                                                     \
+#define V(x, y, z)                                                                                 \
     3, { x, y, z }
-#define N1(x)                                                                                                          \
+#define N1(x)                                                                                      \
     1, { x }
-#define VALUE(material, how, param, value, text) {KIND_##material, how, P_Principled_##param, value, text},
+#define VALUE(material, how, param, value, text)                                                   \
+    {KIND_##material, how, P_Principled_##param, value, text},
 static const Row rows[] = {
 #include "tests/translation_values.def"
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
-static How how_of(const TranslationRow *row) { return !row->formula ? NORMAL : row->where ? WHERE : ALWAYS; }
+static How how_of(const TranslationRow *row)
+{
+    return !row->formula ? NORMAL : row->where ? WHERE : ALWAYS;
+}
 
 static bool is_of(const Row *row, const TranslationRow *translation)
 {
-    return row->material == translation->from && row->param == translation->to && row->how == how_of(translation);
+    return row->material == translation->from && row->param == translation->to &&
+           row->how == how_of(translation);
 }
 
-static bool is_direction(int param) { return param == P_Principled_input || param == P_Principled_coatNormal; }
+static bool is_direction(int param)
+{
+    return param == P_Principled_input || param == P_Principled_coatNormal;
+}
 
 /* -- Values ------------------------------------------------------------------------------------ */
 
@@ -55,8 +63,9 @@ static void read_param(MatcDocument *document, int param, double value[3])
     Environment environment = environment_open(oracle, &surface, 0);
     for (int lane = 0; lane < 3; lane++) {
         const int channel = channel_id(is_direction(param) ? GROUP_N : GROUP_R, lane);
-        value[lane] = param_table[param].type == PARAM_Map ? oracle_ask_param(&environment, material, param, channel)
-                                                           : oracle_number(material, param);
+        value[lane] = param_table[param].type == PARAM_Map
+                          ? oracle_ask_param(&environment, material, param, channel)
+                          : oracle_number(material, param);
     }
     oracle_close(oracle);
     const double size = sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
@@ -75,8 +84,8 @@ static void check_value(const Row *row, const char *text)
     matc_document_free(document);
     for (int lane = 0; lane < row->lanes; lane++)
         if (!(fabs(value[lane] - row->value[lane]) <= NEAR))
-            fail_msg("%s%s is %.7g, not %.7g, in component %d", text, param_table[row->param].name, value[lane],
-                     row->value[lane], lane);
+            fail_msg("%s%s is %.7g, not %.7g, in component %d", text, param_table[row->param].name,
+                     value[lane], row->value[lane], lane);
 }
 
 static void numbers_become_numbers(void **state)
@@ -84,7 +93,8 @@ static void numbers_become_numbers(void **state)
     (void)state;
     for (int i = 0; i < ROWS; i++) {
         char text[MAX_TEXT];
-        snprintf(text, sizeof text, "material: %s\n%s", kind_table[rows[i].material].name, rows[i].text);
+        snprintf(text, sizeof text, "material: %s\n%s", kind_table[rows[i].material].name,
+                 rows[i].text);
         check_value(&rows[i], text);
     }
 }
@@ -109,9 +119,11 @@ static void put_uniforms(char text[MAX_TEXT], const Row *row)
         const int key = (int)(value - 2 - line), rest = (int)(end - value);
         const bool is_map = find_param(row->material, line, (size_t)key)->type == PARAM_Map;
         size += is_map && strchr(".[0123456789", *value)
-                    ? snprintf(text + size, (size_t)(MAX_TEXT - size), "%.*s: { param: p%.*s, default: %.*s }\n", key,
-                               line, key, line, rest, value)
-                    : snprintf(text + size, (size_t)(MAX_TEXT - size), "%.*s\n", (int)(end - line), line);
+                    ? snprintf(text + size, (size_t)(MAX_TEXT - size),
+                               "%.*s: { param: p%.*s, default: %.*s }\n", key, line, key, line,
+                               rest, value)
+                    : snprintf(text + size, (size_t)(MAX_TEXT - size), "%.*s\n", (int)(end - line),
+                               line);
         assert_true(size < MAX_TEXT);
     }
 }
@@ -146,10 +158,11 @@ static void every_translation_has_a_row(void **state)
         const TranslationRow *translation = &translation_table[i];
         int found = 0;
         for (int j = 0; j < ROWS; j++)
-            found += is_of(&rows[j], translation) && (!is_default(&rows[j]) || rows[j].how == WHERE);
+            found +=
+                is_of(&rows[j], translation) && (!is_default(&rows[j]) || rows[j].how == WHERE);
         if (!found)
-            fail_msg("translation_values.def lacks %s's %s, away from its default", kind_table[translation->from].name,
-                     param_table[translation->to].name);
+            fail_msg("translation_values.def lacks %s's %s, away from its default",
+                     kind_table[translation->from].name, param_table[translation->to].name);
     }
     for (int j = 0; j < ROWS; j++) {
         bool found = false;
@@ -165,7 +178,8 @@ static bool is_set(Kind material, const char *name)
 {
     for (int i = 0; i < ROWS; i++)
         for (const char *at = rows[i].text; rows[i].material == material && *at; at++)
-            if ((at == rows[i].text || at[-1] == '\n') && !strncmp(at, name, strlen(name)) && at[strlen(name)] == ':')
+            if ((at == rows[i].text || at[-1] == '\n') && !strncmp(at, name, strlen(name)) &&
+                at[strlen(name)] == ':')
                 return true;
     return false;
 }
@@ -174,7 +188,8 @@ static bool is_lost(int param)
 {
     for (int i = 0; i < loss_count; i++)
         if (param_table[loss_table[i].param].kind == param_table[param].kind &&
-            (loss_table[i].param == param || strstr(loss_table[i].formula, param_table[param].name)))
+            (loss_table[i].param == param ||
+             strstr(loss_table[i].formula, param_table[param].name)))
             return true;
     return false;
 }
@@ -183,7 +198,8 @@ static bool is_lost(int param)
 static void every_parameter_is_set(void **state)
 {
     (void)state;
-    const int moves = kind_table[KIND_Principled].first + kind_table[KIND_Principled].count - P_Principled_displacement;
+    const int moves = kind_table[KIND_Principled].first + kind_table[KIND_Principled].count -
+                      P_Principled_displacement;
     static const Kind materials[] = {KIND_glTF, KIND_StandardSurface, KIND_UsdPreview};
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
         const KindRow *kind = &kind_table[materials[i]];

@@ -85,6 +85,10 @@ static const struct {
     {"error,linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
     {"linear_colors,error", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
     {"linear_colors,error=linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
+    /* one component alone that both readings differ in */
+    {"linear_colors", "material: Phong\ndiffuse: \"#ffff80\"\n", 1, 2},
+    {"linear_colors", "material: Phong\ndiffuse: \"#ff8000\"\n", 1, 2},
+    {"linear_colors", "material: Phong\ndiffuse: \"#80ff00\"\n", 1, 2},
     /* near misses: it is off, the file says what its colors are, or both readings are the same light */
     {NULL, "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
     {"", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
@@ -141,6 +145,24 @@ static void advice_says_both_readings(void **state)
     matc_document_free(document);
 }
 
+/* Advice is found after a warning about a later line, since diffuse is read before specular. */
+static void advice_goes_before_later_warnings(void **state)
+{
+    static const char text[] =
+        "material: Phong\nspecular: \"#808080\"\n"
+        "diffuse: { map: Blend, blend: [{ value: 1, input: 0 }, { value: 0, input: 1 }] }\n";
+    (void)state;
+    MatcOptions options;
+    matc_options_init(&options);
+    options.warnings = "linear_colors";
+    MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
+    const char *said = matc_diagnostics(document, MATC_TEXT);
+    const char *advice = strstr(said, "a.yaml:2:11: note: "), *warning = strstr(said, "a.yaml:3:");
+    assert_true(advice && warning);
+    assert_true(advice < warning);
+    matc_document_free(document);
+}
+
 /* Each file speaks for itself: the palette has no `colors:`, the document that includes it has. */
 static char *palette_file(void *user, const char *path, size_t *size, const char **why)
 {
@@ -166,6 +188,28 @@ static void advice_is_by_file(void **state)
     assert_int_equal(count(said, "note: "), 1);
     assert_non_null(strstr(said, "palette.yaml:1:15: note: hex colours"));
     matc_document_free(document);
+}
+
+/* Two files without `colors:` have a note each, whichever is read first. */
+static void each_file_is_advised(void **state)
+{
+    static const char *const texts[] = {
+        "include: palette.yaml\nmaterial: Phong\ndiffuse: { ref: grey }\nspecular: \"#404040\"\n",
+        "include: palette.yaml\nmaterial: Phong\nspecular: { ref: grey }\ndiffuse: \"#404040\"\n",
+    };
+    (void)state;
+    MatcOptions options;
+    matc_options_init(&options);
+    options.warnings = "linear_colors";
+    options.read_file = palette_file;
+    for (int i = 0; i < 2; i++) {
+        MatcDocument *document = matc_read("a.yaml", texts[i], strlen(texts[i]), &options);
+        const char *said = matc_diagnostics(document, MATC_TEXT);
+        assert_int_equal(count(said, "note: hex colours"), 2);
+        assert_non_null(strstr(said, "palette.yaml:1:15: note: "));
+        assert_non_null(strstr(said, "a.yaml:4:"));
+        matc_document_free(document);
+    }
 }
 
 /* Errors stay errors whatever is set, and a warning of a name that no warning has is a fault of the options. */
@@ -233,6 +277,8 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(settings_count), cmocka_unit_test(only_warnings_have_settings),
                                        cmocka_unit_test(programs_have_them),
                                        cmocka_unit_test(advice_is_a_note), cmocka_unit_test(advice_says_both_readings),
-                                       cmocka_unit_test(advice_is_by_file), cmocka_unit_test(a_page_lists_them)};
+                                       cmocka_unit_test(advice_is_by_file),
+                                       cmocka_unit_test(advice_goes_before_later_warnings),
+                                       cmocka_unit_test(each_file_is_advised), cmocka_unit_test(a_page_lists_them)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
