@@ -130,6 +130,40 @@ static void what_is_missing_is_made(void **state)
     shape_free(&shape);
 }
 
+/* Two triangles of edges 3, 3 and 3, 1, which meet at a right angle: cross products (0, 0, 9) and
+ * (3, 0, 0), so that shared corners have the normal (1, 0, 3) / sqrt(10). By angle, or by face, they
+ * would have (1, 0, 1) / sqrt(2). Corners are told apart by their u and v. */
+static void missing_normals_are_weighed_by_area(void **state)
+{
+    (void)state;
+    static const struct {
+        float uv[2], normal[3];
+    } corners[] = {{{1, 0}, {.3162278f, 0, .9486833f}},
+                   {{1, 1}, {.3162278f, 0, .9486833f}},
+                   {{2, 0}, {0, 0, 1}},
+                   {{0, 0}, {1, 0, 0}}};
+    char path[128], error[1024] = "";
+    Shape shape;
+    write_text("corner.ply",
+               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+               "property float z\nproperty float s\nproperty float t\nelement face 2\n"
+               "property list uchar int vertex_indices\nend_header\n"
+               "0 0 0 1 0\n3 0 0 2 0\n0 3 0 1 1\n0 0 1 0 0\n3 0 1 2\n3 0 2 3\n");
+    if (!model_read(path_of("corner.ply", path), &shape, error, sizeof error))
+        fail_msg("%s", error);
+    assert_int_equal(shape.index_count, 6);
+    for (int i = 0; i < shape.vertex_count; i++) {
+        const ShapeVertex *vertex = &shape.vertices[i];
+        int corner = 0;
+        while (corner < 4 && memcmp(vertex->uv, corners[corner].uv, sizeof vertex->uv) != 0)
+            corner++;
+        assert_true(corner < 4);
+        for (int k = 0; k < 3; k++)
+            assert_float_equal(vertex->normal[k], corners[corner].normal[k], 1e-5);
+    }
+    shape_free(&shape);
+}
+
 /* Two squares left and right of x = 0, u = |x|: dP/du runs away from the middle on both. Their two corners in the middle become four. */
 static void assert_mirrored(bool (*read)(const char *, Shape *, char *, size_t), float size)
 {
@@ -373,6 +407,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_square_is_one_in_every_format),
         cmocka_unit_test(what_is_missing_is_made),
+        cmocka_unit_test(missing_normals_are_weighed_by_area),
         cmocka_unit_test(mirrored_halves_keep_their_tangents),
         cmocka_unit_test(normals_may_face_the_other_way),
         cmocka_unit_test(tangents_turn_as_their_triangle),
