@@ -1,11 +1,14 @@
 /* Host program: text files -> C. embed OUTPUT SYMBOL FILE...
  * With SYMBOL "chunk_table": library chunks as link.h has them; "library_table": files by their names, as grammar/library_table.h has them.
- * Otherwise one string a file, `const char SYMBOL_<name>[]`, and beside OUTPUT a header that declares all of them. */
+ * Otherwise one string a file, `const char SYMBOL_<name>[]`, and beside OUTPUT a header that declares all of them.
+ * Of a layout, pool.layout.def, C gets the header pool_layout.h, and GLSL what replaces its line #include "pool.layout.def". */
+#include "compiler/gen/layout_text.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct {
+    const char *path;
     char *name, *text;
 } File;
 
@@ -162,6 +165,45 @@ static void put_library(FILE *out, const File *files, int count)
     fputs("};\nconst int library_name_count = sizeof library_names / sizeof *library_names;\n", out);
 }
 
+/* -- layouts */
+
+/* Declares the layout that a line includes; 0: there is no such, or a row is wrong. */
+static int put_layout(FILE *out, const char *line, const File *files, int count)
+{
+    char name[256];
+    if (sscanf(line, "#include \"%255[^\"]\"", name) == 1)
+        for (int i = 0; i < count; i++) {
+            const char *slash = strrchr(files[i].path, '/');
+            if (layout_text_is(files[i].path) && !strcmp(slash ? slash + 1 : files[i].path, name))
+                return layout_text_glsl(out, files[i].name, files[i].text);
+        }
+    fprintf(stderr, "embed: there is no layout for %.*s\n", (int)strcspn(line, "\n"), line);
+    return 0;
+}
+
+/* A text, each #include of a layout replaced; NULL: one cannot be. */
+static char *with_layouts(const File *file, const File *files, int count)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    int fine = out != NULL;
+    for (const char *line = file->text, *end; fine && *line; line = end) {
+        end = line_end(line);
+        if (!strncmp(line, "#include ", 9))
+            fine = put_layout(out, line, files, count);
+        else
+            fwrite(line, 1, (size_t)(end - line), out);
+    }
+    if (out && fclose(out))
+        fine = 0;
+    if (!fine) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}
+
 static int write_output(FILE *out, const char *symbol, const File *files, int count)
 {
     fputs("/* Made by compiler/gen/embed.c. */\n", out);
@@ -172,12 +214,18 @@ static int write_output(FILE *out, const char *symbol, const File *files, int co
         return 1;
     }
     fprintf(out, "#include \"gen/%s.h\"\n", symbol);
-    for (int i = 0; i < count; i++) {
+    int fine = 1;
+    for (int i = 0; fine && i < count; i++) {
+        if (layout_text_is(files[i].path))
+            continue;
+        char *text = with_layouts(&files[i], files, count);
+        fine = text != NULL;
         fprintf(out, "const char %s_%s[] = ", symbol, files[i].name);
-        put_string(out, files[i].text, strlen(files[i].text));
+        put_string(out, fine ? text : "", fine ? strlen(text) : 0);
         fputs(";\n", out);
+        free(text);
     }
-    return 1;
+    return fine;
 }
 
 static char *header_text(const char *symbol, const File *files, int count)
@@ -189,7 +237,8 @@ static char *header_text(const char *symbol, const File *files, int count)
         return NULL;
     fputs("/* Made by compiler/gen/embed.c. */\n", out);
     for (int i = 0; i < count; i++)
-        fprintf(out, "extern const char %s_%s[];\n", symbol, files[i].name);
+        if (!layout_text_is(files[i].path))
+            fprintf(out, "extern const char %s_%s[];\n", symbol, files[i].name);
     return fclose(out) ? NULL : text;
 }
 
@@ -218,6 +267,42 @@ static int write_header(const char *output, const char *symbol, const File *file
     return fine;
 }
 
+/* "gen/render_text.c" and "a/pool.layout.def" -> "gen/pool_layout.h" */
+static char *layout_path(const char *output, const File *layout)
+{
+    const char *slash = strrchr(output, '/');
+    char *path = NULL;
+    if (asprintf(&path, "%.*s%s.h", slash ? (int)(slash + 1 - output) : 0, output, layout->name) < 0)
+        return NULL;
+    char *dot = strstr(path, ".layout.h");
+    if (dot)
+        *dot = '_';
+    return path;
+}
+
+static int write_layout(const char *output, const File *layout)
+{
+    char *text = NULL, *path = layout_path(output, layout);
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    int fine = out && layout_text_c(out, layout->name, layout->text);
+    if (out && fclose(out))
+        fine = 0;
+    fine = fine && path && write_if_changed(path, text);
+    free(text);
+    free(path);
+    return fine;
+}
+
+static int write_headers(const char *output, const char *symbol, const File *files, int count)
+{
+    int fine = write_header(output, symbol, files, count);
+    for (int i = 0; fine && i < count; i++)
+        if (layout_text_is(files[i].path))
+            fine = write_layout(output, &files[i]);
+    return fine;
+}
+
 static int is_table(const char *symbol) { return !strcmp(symbol, "chunk_table") || !strcmp(symbol, "library_table"); }
 
 int main(int argc, char **argv)
@@ -229,7 +314,7 @@ int main(int argc, char **argv)
     int count = argc - 3;
     File *files = calloc((size_t)count, sizeof *files);
     for (int i = 0; i < count; i++) {
-        files[i] = (File){chunk_name(argv[i + 3]), read_all(argv[i + 3])};
+        files[i] = (File){argv[i + 3], chunk_name(argv[i + 3]), read_all(argv[i + 3])};
         if (!files[i].name || !files[i].text) {
             fprintf(stderr, "embed: cannot read %s\n", argv[i + 3]);
             return 1;
@@ -241,7 +326,7 @@ int main(int argc, char **argv)
     if (out && fclose(out))
         fine = 0;
     if (fine && !is_table(argv[2]))
-        fine = write_header(argv[1], argv[2], files, count);
+        fine = write_headers(argv[1], argv[2], files, count);
     for (int i = 0; i < count; i++) {
         free(files[i].name);
         free(files[i].text);

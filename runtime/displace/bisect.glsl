@@ -34,7 +34,7 @@ layout(std430, binding = 1) coherent buffer BisectLeaves {
 layout(std430, binding = 2) coherent buffer BisectTable {
     uint bisect_table[];
 };
-// A head, and lists of BISECT_LISTS times as many words as there is room for leaves.
+// The state block, and lists of LIST_DUE times as many words as there is room for leaves.
 layout(std430, binding = 3) coherent buffer BisectWork {
     uint bisect_work[];
 };
@@ -52,25 +52,20 @@ uniform int bisect_stamp;       // 1 to 255
 uniform float bisect_worst;     // no triangle deviates by more
 uniform int bisect_coarse;      // triangles of less depth are bisected, whatever they deviate
 
-const uint BISECT_BASE = 22u, BISECT_ROW = 17u, BISECT_HEAD = 146u, BISECT_NONE = 0xFFFFFFFFu;
+#include "bisection.layout.def"
+const uint BISECT_NONE = 0xFFFFFFFFu;
 const int BISECT_WHOLE = 65536; // weights of a corner sum up to so many
-// Words of the head.
-const uint HIGH = 0u, FREE = 1u, WANTED = 2u, WANTED_NEXT = 3u, MERGING = 4u, MERGING_NEXT = 5u, CHOSEN = 6u, FULL = 7u, SPLITS = 8u, MERGES = 9u,
-           SWAPPED = 10u, MERGED_ALL = 11u, LOST = 12u, MERGE_ROUNDS = 13u, SPLIT_ROUNDS = 14u, DONE = 15u, GROUPS = 16u, GROUPS_CHOSEN = 20u, LIGHTS = 24u,
-           LOOKED = 25u, LIGHT = 28u, BOX = 92u, EXTENT = 98u;
-// Words of the head up to these; one group that does all rounds has them for itself.
-const uint BISECT_COUNTS = 28u;
+// A single workgroup that does all rounds has a copy of the state block up to its lights.
+const uint BISECT_COUNTS = LIGHT;
 #ifdef BISECT_FEW
 shared uint bisect_head[BISECT_COUNTS];
 #else
 #define bisect_head bisect_work
 #endif
-// Lists; the last but of one word for each BISECT_TILE places: how far the camera will have gone when these have to be looked at, as a float, which is not negative.
-const uint LIST_FREE = 0u, LIST_FLAGS = 1u, LIST_CHOSEN = 2u, LIST_WANTED = 3u, LIST_MERGING = 5u, LIST_DUE = 7u;
 #ifdef BISECT_WIDE // to look at more than need be costs a device less than to choose more finely
-const uint BISECT_TILE = 16u, BISECT_LOOK_TILES = 16u; // of places; of a group that looks
+const uint BISECT_TILE = BISECT_TILE_MANY, BISECT_LOOK_TILES = 16u; // of places; of a group that looks
 #else
-const uint BISECT_TILE = 4u;
+const uint BISECT_TILE = BISECT_TILE_FEW;
 #endif
 // How many leaves a group bisects at once. Each has nine heights at least, for a thread each where a device has many.
 #ifdef BISECT_FEW
@@ -107,7 +102,7 @@ uint bisectTask(uint group)
 
 uint bisectWord(uint list, uint i)
 {
-    return BISECT_HEAD + list * uint(bisect_room) + i;
+    return STATE_WORDS + list * uint(bisect_room) + i;
 }
 
 // -- leaves
@@ -124,7 +119,7 @@ uvec2 bisectId(uint base, uint number)
 
 uint bisectBlock(uint slot)
 {
-    return 7u * (slot >> 2);
+    return BISECT_BLOCK_WORDS * (slot >> 2);
 }
 
 uvec2 bisectIdAt(uint slot)

@@ -1,32 +1,9 @@
 /* What bisection by the driver keeps of a mesh, and what its files share. */
 #ifndef MATC_DISPLACE_BISECTION_H
 #define MATC_DISPLACE_BISECTION_H
+#include "gen/bisection_layout.h"
 #include "runtime/displace/displaced_bisection.h"
 
-/* Words of the head, as bisect.glsl has them, and lists behind it. */
-enum {
-    BISECTION_HIGH,
-    BISECTION_FREE,
-    BISECTION_WANTED,
-    BISECTION_FULL = 7,
-    BISECTION_SPLITS,
-    BISECTION_MERGES,
-    BISECTION_MERGED_ALL = 11,
-    BISECTION_LOST,
-    BISECTION_ROUNDS, /* of merging, of splitting */
-    BISECTION_GROUPS = 16,
-    BISECTION_GROUPS_CHOSEN = 20,
-    BISECTION_LIGHTS = 24, /* how many */
-    BISECTION_LOOKED,      /* tiles of places that were looked at */
-    BISECTION_LIGHT = 28,  /* four words of each */
-    BISECTION_LIGHTS_MOST = 16,
-    BISECTION_BOX = BISECTION_LIGHT + 4 * BISECTION_LIGHTS_MOST,
-    BISECTION_EXTENT = BISECTION_BOX + 6, /* three words of each light */
-    BISECTION_HEAD = BISECTION_EXTENT + 3 * BISECTION_LIGHTS_MOST,
-    BISECTION_LISTS = 7,
-    BISECTION_TILE = 4, /* places that are looked at together: one word for these, behind the lists */
-    BISECTION_TILE_WIDE = 16 /* likewise, where a device has many threads */
-};
 /* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what follows them is one farther. */
 enum {
     BISECTION_BASES,
@@ -50,7 +27,7 @@ typedef enum {
     BISECTION_STAGES
 } BisectionStage;
 
-/* Lights that cast shadows, the box on what, and how far what shines is from each light's middle, along the axes: as words of the head. */
+/* Lights that cast shadows, the box on what, and how far what shines is from each light's middle, along the axes: as words of the state block. */
 typedef struct {
     int count;
     float each[BISECTION_LIGHTS_MOST][4], box[2][3], extent[BISECTION_LIGHTS_MOST][3];
@@ -61,14 +38,14 @@ typedef struct {
     GLuint buffers[BISECTION_BUFFERS];
     int room, most, table_bits;             /* for leaves now, and ever; bits of a place in the table */
     int ranged;                             /* ranges go so deep */
-    int tile;                               /* BISECTION_TILE, or of a device */
+    int tile;                               /* BISECTION_TILE_FEW or BISECTION_TILE_MANY */
     int rounds[2];                          /* of merging and of splitting, that the last view took */
     int stamp;                              /* of entries of the table; 0: it has to be cleared */
     int coarser;                            /* fourths of an octave that an error may be larger */
     double pixels;                          /* that an error could have when all leaves were looked at last; 0: they have to be */
     double gone, entries;                   /* since then: how far the camera has moved, and what came into the table */
     double box[2][3];                       /* around all points, wherever they may move; in the world */
-    GLuint head[BISECTION_HEAD], head_copy; /* as it was read last; a buffer that it goes through */
+    GLuint head[BISECTION_STATE_WORDS], head_copy; /* as it was read last; a buffer that it goes through */
     int splits, merges, looks, looked;      /* of the last view; places that were looked at */
     SceneCamera camera;
     int size[2];

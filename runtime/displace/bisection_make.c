@@ -17,6 +17,8 @@ enum {
     RANGE_PARTS = 4  /* ranges are kept of triangles that have 16 of these parts */
 };
 
+_Static_assert(sizeof(MeshCaptured) == BISECTION_ROW * sizeof(float), "a row of the layout is a corner of the mesh");
+
 bool bisection_there(const GlContext *gl)
 {
     GLint blocks = 0;
@@ -176,13 +178,12 @@ static void grow_buffer(const GlContext *gl, GLuint buffer, size_t had, size_t b
 
 size_t bisection_work_bytes(const Bisection *b, size_t places)
 {
-    return sizeof(GLuint) * (BISECTION_HEAD + BISECTION_LISTS * places + places / (size_t)b->tile + 1);
+    return sizeof(GLuint) * (BISECTION_STATE_WORDS + BISECTION_LIST_DUE * places + places / (size_t)b->tile + 1);
 }
 
 size_t bisection_leaf_bytes(size_t places)
 {
-    enum { BLOCK = 4, BLOCK_WORDS = 7 };
-    return sizeof(GLuint) * BLOCK_WORDS * ((places + BLOCK - 1) / BLOCK);
+    return sizeof(GLuint) * BISECTION_BLOCK_WORDS * ((places + BISECTION_BLOCK - 1) / BISECTION_BLOCK);
 }
 
 /* A fresh look puts one entry for each place into the table, and rounds of a view one of who merges and two of who is bisected: its views end where no more than these are free. */
@@ -268,7 +269,7 @@ bool bisection_make(const DisplacedMaking *making, Displaced *made)
     size_t words = 0;
     if (!b)
         return gl_fail(gl, "out of memory");
-    b->tile = gl->hardware ? BISECTION_TILE_WIDE : BISECTION_TILE;
+    b->tile = gl->hardware ? BISECTION_TILE_MANY : BISECTION_TILE_FEW;
     if (!make_stages(making, made, b))
         return false;
     uint32_t *bases = displaced_bisection_bases(making->patches, &words);

@@ -58,7 +58,7 @@ static void copy_head(const Displaced *d, GLuint from, GLuint to)
     const GlContext *gl = displaced_context(d);
     gl->BindBuffer(GL_COPY_READ_BUFFER, from);
     gl->BindBuffer(GL_COPY_WRITE_BUFFER, to);
-    gl->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, BISECTION_HEAD * sizeof(GLuint));
+    gl->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, BISECTION_STATE_WORDS * sizeof(GLuint));
 }
 
 static void read_head(const Displaced *d)
@@ -197,7 +197,7 @@ static bool update(Displaced *d)
     } while (!b->head[BISECTION_FULL] && !b->head[BISECTION_LOST] &&
              (!b->head[BISECTION_MERGED_ALL] || b->head[BISECTION_WANTED]));
     for (int i = 0; i < 2; i++)
-        b->rounds[i] = (int)b->head[BISECTION_ROUNDS + i] < MOST ? (int)b->head[BISECTION_ROUNDS + i] : MOST;
+        b->rounds[i] = (int)b->head[BISECTION_MERGE_ROUNDS + i] < MOST ? (int)b->head[BISECTION_MERGE_ROUNDS + i] : MOST;
     b->splits += (int)b->head[BISECTION_SPLITS];
     b->merges += (int)b->head[BISECTION_MERGES];
     b->looked += b->tile * (int)b->head[BISECTION_LOOKED];

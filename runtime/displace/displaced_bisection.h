@@ -3,8 +3,6 @@
 #define MATC_DISPLACE_DISPLACED_BISECTION_H
 #include "runtime/displace/displaced_method.h"
 
-enum { DISPLACED_BISECTION_BASE = 22 /* words of a base */ };
-
 /* Patches as bases, as bisect.glsl has them: so many words, from malloc; NULL: memory ran out. */
 uint32_t *displaced_bisection_bases(const ScenePatches *patches, size_t *count);
 

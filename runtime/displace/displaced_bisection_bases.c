@@ -2,6 +2,7 @@
  *
  * The longest edge comes first, of equally long ones that of the earlier places, as in scene_bisection.c: so who waits for a neighbour waits for one that is larger, and nobody waits in a
  * circle. */
+#include "gen/bisection_layout.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/displace/displaced_bisection.h"
 #include "runtime/scene/scene_divide.h"
@@ -113,7 +114,7 @@ static void put_edges(Maker *m)
     m->words[m->base_words + m->edge_count] = at;
     for (int patch = 0; patch < m->patches->count; patch++)
         for (int k = 0; k < 3; k++) {
-            uint32_t *word = &m->words[(size_t)patch * DISPLACED_BISECTION_BASE + 1 + (size_t)k];
+            uint32_t *word = &m->words[(size_t)patch * BISECTION_BASE + 1 + (size_t)k];
             m->words[m->starts[*word]++] = 4 * (uint32_t)patch + (uint32_t)k;
             *word += m->base_words;
         }
@@ -128,12 +129,12 @@ uint32_t *displaced_bisection_bases(const ScenePatches *patches, size_t *count)
                .first = first,
                .edges = calloc(3 * bases + 1, sizeof *m.edges),
                .starts = calloc(3 * bases + 1, sizeof *m.starts),
-               .words = calloc(bases * (DISPLACED_BISECTION_BASE + 6) + 1, sizeof *m.words),
-               .base_words = (uint32_t)(bases * DISPLACED_BISECTION_BASE)};
+               .words = calloc(bases * (BISECTION_BASE + 6) + 1, sizeof *m.words),
+               .base_words = (uint32_t)(bases * BISECTION_BASE)};
     const bool fine =
         first && m.edges && m.starts && m.words && scene_matrix_invert(&patches->world_from_local, &m.local_from_world);
     for (int i = 0; fine && i < patches->count; i++)
-        put_base(&m, i, &m.words[(size_t)i * DISPLACED_BISECTION_BASE]);
+        put_base(&m, i, &m.words[(size_t)i * BISECTION_BASE]);
     if (fine)
         put_edges(&m);
     *count = m.base_words + m.edge_count + 1 + 3 * bases;
