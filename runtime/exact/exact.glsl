@@ -9,7 +9,7 @@
 //
 // A point is on its own triangle, and on those beside it, but for rounding. So a triangle counts only if the point is off its plane by more than
 // EXACT_OFF times the greatest coordinate: 16 steps of a float's last place. What stands closer is not told from what touches.
-const uint EXACT_HEAD = 19u; // words
+#include "exact_lists.layout.def"
 const float EXACT_OFF = 9.5367e-7; // 2^-20
 
 layout(std430, binding = 6) readonly buffer ExactTriangles {
@@ -116,10 +116,10 @@ vec3 exactShare(int light, vec3 point)
             row[i][lane] = uintBitsToFloat(exact_words[head + uint(4 * i + lane)]);
     bool placed = row[0].w > 0.0;
     vec4 from = vec4(placed ? point - row[0].xyz : point, 1.0);
-    int cell = exactCell(vec3(dot(row[1], from), dot(row[2], from), dot(row[3], from)), int(exact_words[head + 16u]),
-                         int(exact_words[head + 17u]), placed);
+    int cell = exactCell(vec3(dot(row[1], from), dot(row[2], from), dot(row[3], from)), int(exact_words[head + EXACT_VIEWS]),
+                         int(exact_words[head + EXACT_SIZE]), placed);
     if (cell < 0) return vec3(1.0);
-    uint list = exact_words[head + 18u] + 2u * uint(cell);
+    uint list = exact_words[head + EXACT_CELLS] + 2u * uint(cell);
     ExactRay ray = exactRay(point, placed ? -from.xyz : row[0].xyz);
     vec3 share = vec3(1.0);
     for (uint i = exact_words[list], end = exact_words[list + 1u]; i < end && share != vec3(0.0); i++)

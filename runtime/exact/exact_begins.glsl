@@ -4,12 +4,10 @@
 //     cells with 2, 0, 3 entries, room from word 40 on: they begin at 40, 42, 42, and the next group at 45
 layout(local_size_x = 256) in;
 
-const uint HEAD = 19u;
+#include "exact_lists.layout.def"
 
-// As in exact_cover.glsl.
 layout(std430, binding = 5) buffer ExactWork {
-    uint exact_triangles, exact_cells, exact_most, exact_room;
-    uint exact_blocks, exact_entries, exact_next, exact_longest;
+#include "exact_work.layout.def"
 };
 layout(std430, binding = 7) buffer ExactLists {
     uint exact_words[];
@@ -33,7 +31,7 @@ uint sumUpTo(uint thread, uint own)
 
 void main()
 {
-    uint thread = gl_LocalInvocationIndex, first = exact_words[HEAD - 1u];
+    uint thread = gl_LocalInvocationIndex, first = exact_words[EXACT_CELLS];
     for (uint group = gl_WorkGroupID.x * 256u; group < exact_cells; group += gl_NumWorkGroups.x * 256u) {
         uint at = first + 2u * (group + thread), own = group + thread < exact_cells ? exact_words[at + 1u] : 0u;
         uint sum = sumUpTo(thread, own);

@@ -1,18 +1,9 @@
 /* Room is found by trying: for heads and cells at first, then for as many blocks and entries as were counted. */
 #include "runtime/exact/exact_cover.h"
+#include "gen/exact_work_layout.h"
 #include "gen/render_text.h"
 
-/* As exact_cover.glsl has them. */
 enum {
-    TRIANGLES,
-    CELLS,
-    MOST,
-    ROOM,
-    BLOCKS,
-    ENTRIES,
-    NEXT,
-    LONGEST,
-    HEAD_WORDS,
     BLOCK_WORDS = 2,
     MANY_BLOCKS = (1 << 21) - 4, /* with the head 16 MiB, which every driver has */
     WORK_BINDING = 5,
@@ -31,7 +22,7 @@ typedef struct {
     const ExactTriangles *triangles;
     ExactLists heads;
     GLuint corners;
-    GLuint counted[HEAD_WORDS];
+    GLuint counted[EXACT_WORK_HEAD];
 } Maker;
 
 typedef enum { DONE, AGAIN, COARSER, FAILED } Outcome;
@@ -70,7 +61,7 @@ static bool grow_blocks(ExactCover *cover, size_t blocks)
     if (cover->blocks >= blocks)
         return true;
     cover->blocks = generous(blocks, MANY_BLOCKS);
-    make_buffer(context(cover), HEAD_WORDS + BLOCK_WORDS * cover->blocks, &cover->work);
+    make_buffer(context(cover), EXACT_WORK_HEAD + BLOCK_WORDS * cover->blocks, &cover->work);
     return gl_check(context(cover), "making room for exact shadows");
 }
 
@@ -116,11 +107,11 @@ static void begin(Maker *m)
 {
     const GlContext *gl = m->gl;
     const size_t heads = (size_t)m->heads.light_count * EXACT_LISTS_HEAD * sizeof(GLuint);
-    const GLuint words[HEAD_WORDS] = {[TRIANGLES] = (GLuint)m->triangles->count,
-                                      [CELLS] = (GLuint)m->heads.cells,
-                                      [MOST] = (GLuint)(m->cover->most - first_list(m)),
-                                      [ROOM] = (GLuint)m->cover->blocks,
-                                      [NEXT] = (GLuint)first_list(m)};
+    const GLuint words[EXACT_WORK_HEAD] = {[EXACT_WORK_TRIANGLES] = (GLuint)m->triangles->count,
+                                      [EXACT_WORK_CELLS] = (GLuint)m->heads.cells,
+                                      [EXACT_WORK_MOST] = (GLuint)(m->cover->most - first_list(m)),
+                                      [EXACT_WORK_ROOM] = (GLuint)m->cover->blocks,
+                                      [EXACT_WORK_NEXT] = (GLuint)first_list(m)};
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, m->cover->work);
     gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof words, words);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, m->cover->lists);
@@ -141,7 +132,7 @@ static bool read_counts(Maker *m)
 /* Whether what was counted has room now. */
 static Outcome find_room(Maker *m)
 {
-    const size_t words = first_list(m) + m->counted[ENTRIES], blocks = m->counted[BLOCKS];
+    const size_t words = first_list(m) + m->counted[EXACT_WORK_ENTRIES], blocks = m->counted[EXACT_WORK_BLOCKS];
     if (words > m->cover->most || blocks > MANY_BLOCKS)
         return COARSER;
     if (words <= m->cover->room && blocks <= m->cover->blocks)
@@ -152,7 +143,7 @@ static Outcome find_room(Maker *m)
 static Outcome count(Maker *m)
 {
     if (first_list(m) > m->cover->most) {
-        m->counted[ENTRIES] = 0;
+        m->counted[EXACT_WORK_ENTRIES] = 0;
         return COARSER;
     }
     if (!grow_lists(m->cover, first_list(m)) || !grow_blocks(m->cover, FIRST_BLOCKS))
@@ -169,7 +160,7 @@ static bool list(const Maker *m)
     material_use(&cover->begins);
     dispatch(m, groups_of(m->heads.cells, CELL_GROUP), 1);
     cover_cells(m, true);
-    cover->words = first_list(m) + m->counted[ENTRIES];
+    cover->words = first_list(m) + m->counted[EXACT_WORK_ENTRIES];
     cover->light_count = m->heads.light_count;
     return gl_check(context(cover), "listing triangles for exact shadows");
 }
@@ -198,7 +189,7 @@ bool exact_cover_make(ExactCover *cover, const Scene *scene, const ExactTriangle
     for (int coarser = 0; outcome == COARSER && coarser <= EXACT_LISTS_COARSEST; coarser++)
         outcome = try(&m, scene, coarser);
     if (outcome == COARSER)
-        fail_room(cover, first_list(&m) + m.counted[ENTRIES]);
+        fail_room(cover, first_list(&m) + m.counted[EXACT_WORK_ENTRIES]);
     const bool done = outcome == DONE && list(&m);
     exact_lists_free(&m.heads);
     return done;
@@ -209,7 +200,7 @@ int exact_cover_longest(const ExactCover *cover)
     GLuint longest = 0;
     const GlContext *gl = context(cover);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, cover->work);
-    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, LONGEST * sizeof longest, sizeof longest, &longest);
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, EXACT_WORK_LONGEST * sizeof longest, sizeof longest, &longest);
     return (int)longest;
 }
 

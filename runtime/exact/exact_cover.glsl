@@ -16,7 +16,7 @@
 // than 256 cells. Counting and listing are one program, so that both find the same.
 layout(local_size_x = 64) in;
 
-const uint HEAD = 19u; // words of exact_lists.h
+#include "exact_lists.layout.def"
 const int ROWS = 16; // of a block
 const int FEW = 64; // cells that one thread takes
 const uint MANY_BLOCKS = (1u << 21) - 4u; // more are not counted
@@ -24,10 +24,8 @@ const double SPREAD = 1.0lf / 64.0lf; // of a cell
 const double ROUNDING = 1.0lf / 17592186044416.0lf; // 2^-44
 const double FAR = 1e300lf;
 
-// exact_cover.c fills the first four and exact_next; more entries than exact_most are not counted.
 layout(std430, binding = 5) coherent buffer ExactWork {
-    uint exact_triangles, exact_cells, exact_most, exact_room; // room: blocks
-    uint exact_blocks, exact_entries, exact_next, exact_longest;
+#include "exact_work.layout.def"
     uvec2 exact_queue[]; // blocks: the triangle and face; the light and the block's number
 };
 layout(std430, binding = 6) readonly buffer ExactTriangles {
@@ -49,7 +47,7 @@ struct View {
 
 View viewOf(uint light)
 {
-    uint head = light * HEAD;
+    uint head = light * EXACT_HEAD;
     View view;
     vec4 row[4];
     for (int i = 0; i < 16; i++)
@@ -58,9 +56,9 @@ View viewOf(uint light)
     view.from = dvec3(row[0].xyz);
     for (int i = 0; i < 3; i++)
         view.rows[i] = dvec4(row[i + 1]);
-    view.faces = int(exact_words[head + 16u]);
-    view.size = int(exact_words[head + 17u]);
-    view.cells = exact_words[head + 18u];
+    view.faces = int(exact_words[head + EXACT_VIEWS]);
+    view.size = int(exact_words[head + EXACT_SIZE]);
+    view.cells = exact_words[head + EXACT_CELLS];
     return view;
 }
 

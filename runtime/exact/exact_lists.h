@@ -5,18 +5,8 @@
  * square of cells. */
 #ifndef MATC_RENDER_EXACT_LISTS_H
 #define MATC_RENDER_EXACT_LISTS_H
+#include "gen/exact_lists_layout.h"
 #include "runtime/exact/exact_triangles.h"
-
-/* Words of a light's head, as exact.glsl and exact_cover.glsl have them; ROWS and what is before are floats. */
-typedef enum {
-    EXACT_LISTS_FROM,       /* three: the light's position; directional: the way to it, of unit length */
-    EXACT_LISTS_PLACED = 3, /* 1: it has a position */
-    EXACT_LISTS_ROWS,       /* four each: lanes of a place, of (point - position, 1), or of (point, 1) */
-    EXACT_LISTS_VIEWS = 16, /* 1, or 6 */
-    EXACT_LISTS_SIZE,       /* cells of a view's edge */
-    EXACT_LISTS_CELLS,      /* the first cell's word: each has two, those in which its list begins and ends */
-    EXACT_LISTS_HEAD
-} ExactListsWord;
 
 enum {
     EXACT_LISTS_PAIR = 2,           /* words of a cell */

@@ -4,10 +4,7 @@ uniform sampler2D lists_depth; // of what is opaque
 
 // Behind the heads of all pixels, 0 or 1 + the number of a node, lie the nodes: the next of the list, the depth, what is packed.
 layout(std430, binding = 2) buffer Lists {
-    uint lists_width;  // of the picture
-    uint lists_pixels;
-    uint lists_room;   // nodes
-    uint lists_count;  // of them asked for
+#include "lists.layout.def"
     uint lists_words[];
 };
 

@@ -1,10 +1,7 @@
 // The pass blend: a pixel's transparent fragments, out of its list, from the nearest on. Before it stand lighting.glsl, LISTS_STRIDE, and
 // LISTS_TEXELS; with VEIL no light is asked for. The depth is reversed: what is nearer is greater.
 layout(std430, binding = 2) buffer Lists {
-    uint lists_width;
-    uint lists_pixels;
-    uint lists_room;
-    uint lists_count;
+#include "lists.layout.def"
     uint lists_words[];
 };
 

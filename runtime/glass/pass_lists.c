@@ -1,5 +1,6 @@
 /* The passes lists and blend: transparent fragments into lists, and these over the light. Their GLSL is lists_store.glsl, around the
  * materials' own, and pass_blend.glsl. */
+#include "gen/lists_layout.h"
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"
@@ -8,22 +9,19 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The buffer's first words, as lists_store.glsl has them. */
-enum { WIDTH, PIXELS, ROOM, COUNT, HEADS };
-
 static bool pass_lists_needed(const Render *render) { return transparency_is(render, TRANSPARENCY_lists); }
 
 static size_t bytes_of(const Render *render, GLuint fragments)
 {
     const size_t pixels = (size_t)render->size[0] * (size_t)render->size[1];
-    return sizeof(GLuint) * (HEADS + pixels + (size_t)fragments * (size_t)transparency_stride(&render->set));
+    return sizeof(GLuint) * (LISTS_HEADS + pixels + (size_t)fragments * (size_t)transparency_stride(&render->set));
 }
 
 static bool make_buffer(Render *render, GLuint room)
 {
     const GlContext *gl = render->gl;
-    const GLuint head[HEADS] = {
-        [WIDTH] = (GLuint)render->size[0], [PIXELS] = (GLuint)render->size[0] * (GLuint)render->size[1], [ROOM] = room};
+    const GLuint head[LISTS_HEADS] = {
+        [LISTS_WIDTH] = (GLuint)render->size[0], [LISTS_PIXELS] = (GLuint)render->size[0] * (GLuint)render->size[1], [LISTS_ROOM] = room};
     render->glass->lists.bytes = bytes_of(render, room);
     if (!render->glass->lists.buffer)
         gl->GenBuffers(1, &render->glass->lists.buffer);
@@ -50,9 +48,9 @@ static void draw(Render *render)
 static void pass_lists_draw(Render *render)
 {
     const GlContext *gl = render->gl;
-    const size_t heads = bytes_of(render, 0) - COUNT * sizeof(GLuint);
+    const size_t heads = bytes_of(render, 0) - LISTS_COUNT * sizeof(GLuint);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->glass->lists.buffer);
-    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, COUNT * sizeof(GLuint), (GLsizeiptr)heads,
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, LISTS_COUNT * sizeof(GLuint), (GLsizeiptr)heads,
                            GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
     draw(render);
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -65,7 +63,7 @@ static bool count_fragments(Render *render)
     GLuint count = 0;
     pass_lists_draw(render);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->glass->lists.buffer);
-    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, COUNT * sizeof(GLuint), sizeof count, &count);
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, LISTS_COUNT * sizeof(GLuint), sizeof count, &count);
     if (count > render->glass->lists.fragments)
         render->glass->lists.fragments = count;
     return gl_check(gl, "counting transparent fragments");

@@ -111,7 +111,7 @@ static GLuint number_nodes(Render *render)
     const GlContext *gl = render->gl;
     FrameRadiance *radiance = render->radiance;
     const size_t size = (size_t)radiance->size;
-    const GLuint head[RADIANCE_HEAD] = {radiance->room};
+    const GLuint head[RADIANCE_HEAD] = {[RADIANCE_ROOM] = radiance->room};
     GLuint counted[RADIANCE_HEAD] = {0};
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, radiance->faces);
     gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof head, head);
@@ -122,7 +122,7 @@ static GLuint number_nodes(Render *render)
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, radiance->faces);
     gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof counted, counted);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-    return counted[1];
+    return counted[RADIANCE_COUNT];
 }
 
 /* Larger voxels have fewer nodes. */

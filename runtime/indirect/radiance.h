@@ -9,13 +9,14 @@
  * Made when objects, materials or lights are others; it does not know the camera. */
 #ifndef MATC_INDIRECT_RADIANCE_H
 #define MATC_INDIRECT_RADIANCE_H
+#include "gen/radiance_layout.h"
 #include "runtime/frame/frame_pass.h"
 #include "runtime/indirect/indirect_state.h"
 #include "compiler/base/text.h"
 #include "runtime/draw/screen_pass.h"
 #include "runtime/frame/render_options.h"
 
-enum { RADIANCE_SIZE_MOST = 256, RADIANCE_SIDES = 6, RADIANCE_HEAD = 4 /* words before those of voxels */ };
+enum { RADIANCE_SIZE_MOST = 256, RADIANCE_SIDES = 6 };
 
 /* How a place of the cache is drawn: from both sides; its fronts alone, as it is closed; these, as a body of the voxels. */
 typedef enum { RADIANCE_surface, RADIANCE_closed, RADIANCE_body, RADIANCE_CASTS } RadianceCast;

@@ -1,9 +1,7 @@
 // Gives the nodes of each voxel their numbers, one after the other. Voxels that find no room are counted all the same.
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) buffer RadianceFaces {
-    uint radiance_room;
-    uint radiance_count;
-    uint radiance_nothing[2];
+#include "radiance.layout.def"
     uint radiance_faces[];
 };
 layout(std430, binding = 4) buffer RadianceNodes {

@@ -1,8 +1,7 @@
 // Nodes of cached radiance (radiance.h), for passes that have an invocation for each. LISTS_STRIDE words each, RADIANCE_TEXELS texels.
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) readonly buffer RadianceFaces {
-    uint radiance_room;
-    uint radiance_count;
+#include "radiance.layout.def"
 };
 layout(std430, binding = 4) readonly buffer RadianceNodes {
     uint radiance_nodes[];

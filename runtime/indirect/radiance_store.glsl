@@ -1,9 +1,7 @@
 // The end of an opaque material's program that is seen along an axis: its fragment becomes a node of cached radiance (radiance.h). Three times over: voxels are told
 // from which sides they have a fragment; nodes, which one is the nearest; that one is kept.
 layout(std430, binding = 2) buffer RadianceFaces {
-    uint radiance_room;  // nodes
-    uint radiance_count; // of them asked for
-    uint radiance_nothing[2];
+#include "radiance.layout.def"
     uint radiance_faces[];
 };
 layout(std430, binding = 4) buffer RadianceNodes {

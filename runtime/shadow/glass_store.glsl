@@ -5,13 +5,10 @@ layout(early_fragment_tests) in;
 uniform int glass_map;
 
 layout(std430, binding = 3) buffer Glass {
-    uvec4 glass_part;  // texels that have lists: from which column and row of all maps, one above the other, and how many of these
-    uint glass_heads;  // as many
-    uint glass_room;   // nodes
-    uint glass_size;   // of a map's edge
-    uint glass_count;  // of them asked for
+#include "shadow_glass.layout.def"
     uint glass_words[];
 };
+#define glass_part uvec4(glass_column, glass_row, glass_columns, glass_rows)
 
 const uint GLASS_MOST = 0x80000000u; // more are not counted, so that their number stays one
 

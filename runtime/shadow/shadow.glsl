@@ -19,13 +19,10 @@ const int SHADOW_ROW = 1024;
 
 #ifdef SHADOW_GLASS
 layout(std430, binding = 3) readonly buffer Glass { // glass_store.glsl has what is in it
-    uvec4 glass_part;
-    uint glass_heads;
-    uint glass_room;
-    uint glass_size;
-    uint glass_count;
+#include "shadow_glass.layout.def"
     uint glass_words[];
 };
+#define glass_part uvec4(glass_column, glass_row, glass_columns, glass_rows)
 
 // Lists in parts (shadow_parts.c): a point's share of light is a sum over texels, of which those of the part count. What needs none counts in the
 // part that has the first texel of all.
