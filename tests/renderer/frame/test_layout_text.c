@@ -1,11 +1,7 @@
 /* Layouts that C and GLSL share: what C's enum counts is what the embedded text declares, and both are sums by hand. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include "gen/bisection_layout.h"
 #include "gen/render_text.h"
+#include "tests/test.h"
 #include <stdio.h>
 #include <string.h>
 
