@@ -170,13 +170,13 @@ static void put_library(FILE *out, const File *files, int count)
 /* Declares the layout that a line includes; 0: there is no such, or a row is wrong. */
 static int put_layout(FILE *out, const char *line, const File *files, int count)
 {
-    char name[256];
-    if (sscanf(line, "#include \"%255[^\"]\"", name) == 1)
-        for (int i = 0; i < count; i++) {
-            const char *slash = strrchr(files[i].path, '/');
-            if (layout_text_is(files[i].path) && !strcmp(slash ? slash + 1 : files[i].path, name))
-                return layout_text_glsl(out, files[i].name, files[i].text);
-        }
+    const char *name = line + sizeof "#include \"" - 1;
+    const size_t size = strcspn(name, "\"\n");
+    for (int i = 0; i < count; i++) {
+        const char *slash = strrchr(files[i].path, '/'), *path = slash ? slash + 1 : files[i].path;
+        if (layout_text_is(path) && strlen(path) == size && !strncmp(path, name, size))
+            return layout_text_glsl(out, files[i].name, files[i].text);
+    }
     fprintf(stderr, "embed: there is no layout for %.*s\n", (int)strcspn(line, "\n"), line);
     return 0;
 }
@@ -190,7 +190,7 @@ static char *with_layouts(const File *file, const File *files, int count)
     int fine = out != NULL;
     for (const char *line = file->text, *end; fine && *line; line = end) {
         end = line_end(line);
-        if (!strncmp(line, "#include ", 9))
+        if (!strncmp(line, "#include \"", 10))
             fine = put_layout(out, line, files, count);
         else
             fwrite(line, 1, (size_t)(end - line), out);

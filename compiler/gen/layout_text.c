@@ -1,6 +1,5 @@
 #include "compiler/gen/layout_text.h"
-#include <ctype.h>
-#include <stdlib.h>
+#include "compiler/base/text.h"
 #include <string.h>
 
 enum { NAME = 64, LINE = 512, ROWS_MAX = 128 };
@@ -32,63 +31,80 @@ int layout_text_is(const char *path)
     return size > sizeof suffix - 1 && !strcmp(path + size - (sizeof suffix - 1), suffix);
 }
 
-static int find_value(const Layout *layout, const char *word, int *value)
+/* Copies up to one of the characters `ends`, which is passed over; 0: there is none, or no room. */
+static int take(const char **at, const char *ends, char *to, size_t room)
 {
-    if (isdigit((unsigned char)*word)) {
-        *value = atoi(word);
-        return 1;
+    *at += strspn(*at, " ");
+    const size_t size = strcspn(*at, ends);
+    if (!(*at)[size] || size >= room)
+        return 0;
+    memcpy(to, *at, size);
+    to[size] = 0;
+    *at += size + 1;
+    return 1;
+}
+
+static int find_value(const Layout *layout, const char *word, size_t size, int *value)
+{
+    *value = 0;
+    for (size_t i = 0; i < size && text_is_digit(*word); i++) {
+        *value = 10 * *value + word[i] - '0';
+        if (i + 1 == size)
+            return 1;
     }
     for (int i = layout->known_count - 1; i >= 0; i--)
-        if (!strcmp(layout->known[i].name, word)) {
+        if (strlen(layout->known[i].name) == size && !memcmp(layout->known[i].name, word, size)) {
             *value = layout->known[i].value;
             return 1;
         }
     return 0;
 }
 
-/* "4 * LIGHTS_MAX + 2": words and operators in turn. */
+/* "4 * LIGHTS_MOST + 2": words and operators in turn. */
 static int evaluate(const Layout *layout, const char *text, int *result)
 {
-    int sum = 0, product = 1, value, used;
-    char word[NAME], sign = '*';
-    while (sscanf(text, " %63[A-Za-z_0-9]%n", word, &used) == 1 && find_value(layout, word, &value)) {
+    int sum = 0, product = 1, value;
+    for (char sign = '*';; text++) {
+        text += strspn(text, " ");
+        const size_t size = strcspn(text, " *+");
+        if (!find_value(layout, text, size, &value))
+            return 0;
         sum += sign == '+' ? product : 0;
         product = sign == '+' ? value : product * value;
-        text += used;
-        if (sscanf(text, " %c%n", &sign, &used) != 1) {
-            *result = sum + product;
-            return 1;
-        }
-        text += used;
+        text += size;
+        text += strspn(text, " ");
+        *result = sum + product;
+        sign = *text;
         if (sign != '*' && sign != '+')
-            return 0;
+            return !sign;
     }
-    return 0;
 }
 
 static int read_head(const char *line, Layout *layout)
 {
-    char quoted[3][NAME];
-    if (sscanf(line, "LAYOUT(\"%60[^,], \"%60[^,], \"%60[^)])", quoted[0], quoted[1], quoted[2]) != 3)
-        return 0;
+    static const char tag[] = "LAYOUT(";
     char *const parts[] = {layout->c_prefix, layout->glsl_prefix, layout->type};
-    for (int i = 0; i < 3; i++) {
-        char *end = strchr(quoted[i], '"');
-        if (!end || end[1])
+    char between[NAME];
+    if (strncmp(line, tag, sizeof tag - 1) != 0)
+        return 0;
+    line += sizeof tag - 1;
+    for (int i = 0; i < 3; i++)
+        if (!take(&line, "\"", between, NAME) || !take(&line, "\"", parts[i], NAME))
             return 0;
-        *end = 0;
-        strcpy(parts[i], quoted[i]);
-    }
     layout->at = 0;
     return 1;
 }
 
 static int read_row(const char *line, Layout *layout, Row *row)
 {
-    row->is_value = !strncmp(line, "VALUE(", 6);
-    *row->doc = 0;
-    if ((!row->is_value && strncmp(line, "WORDS(", 6) != 0) || layout->known_count == ROWS_MAX || !*layout->type ||
-        sscanf(line + 6, "%63[A-Za-z_0-9], %511[^,], \"%511[^\"]", row->name, row->number, row->doc) < 2 ||
+    enum { TAG = sizeof "WORDS(" - 1 };
+    char between[NAME];
+    row->is_value = !strncmp(line, "VALUE(", TAG);
+    if ((!row->is_value && strncmp(line, "WORDS(", TAG) != 0) || layout->known_count == ROWS_MAX || !*layout->type)
+        return 0;
+    line += TAG;
+    if (!take(&line, ",", row->name, NAME) || !take(&line, ",", row->number, LINE) ||
+        !take(&line, "\"", between, NAME) || !take(&line, "\"", row->doc, LINE) ||
         !evaluate(layout, row->number, &row->words))
         return 0;
     row->value = row->is_value ? row->words : layout->at;
@@ -99,13 +115,15 @@ static int read_row(const char *line, Layout *layout, Row *row)
     return 1;
 }
 
+static int is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+
 static void write_c(FILE *out, Layout *layout, const Row *row)
 {
     fputs(layout->open ? "    " : "enum {\n    ", out);
     layout->open = 1;
     fputs(layout->c_prefix, out);
     for (const char *c = row->name; *c; c++)
-        fputc(toupper((unsigned char)*c), out);
+        fputc(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c, out);
     fprintf(out, *row->doc ? " = %d, /* %s */\n" : " = %d,\n", row->value, row->doc);
 }
 
@@ -131,7 +149,7 @@ static int write_rows(FILE *out, Layout *layout, const char *text, Write write)
         const size_t size = strcspn(text, "\n");
         snprintf(line, sizeof line, "%.*s", (int)size, text);
         text += size + (text[size] == '\n');
-        if (!isupper((unsigned char)*line) || read_head(line, layout))
+        if (!is_upper(*line) || read_head(line, layout))
             continue;
         if (!read_row(line, layout, &row)) {
             fprintf(stderr, "embed: %s.def:%d: not a row of a layout: %s\n", layout->file, number, line);
