@@ -171,6 +171,57 @@ static void layers_are_their_closed_form(void **state)
     }
 }
 
+/* -- what the targets' words become in the lists */
+
+#define BYTES \
+    "{ slot: normal, encoding: octahedral, bits: 8 }, " \
+    "{ slot: emissive, encoding: unorm, bits: 8 }, " \
+    "{ slot: transparency, encoding: unorm, bits: 8 }"
+#define WORDS \
+    "{ slot: normal, encoding: octahedral, bits: 8 }, " \
+    "{ slot: emissive, encoding: unorm, bits: 16 }, " \
+    "{ slot: transparency, encoding: unorm, bits: 16 }"
+
+/* Fifths are codes of 8 and of 16 bits. Red, as the others: .2 + .8 * .6 + .8 * .4 * .25 = .76. The
+ * picture has half floats here, and each pane's sum is rounded by 2^-12 at most. */
+static void lists_hold_words_of_each_format(void **state)
+{
+    (void)state;
+    static const char *const layouts[] = {
+        "layout: few\ntargets: [RGBA16UI]\nfields: [" BYTES "]\n",
+        "layout: few\ntargets: [RGBA16UI, RGBA16UI]\nfields: [" WORDS "]\n",
+        "layout: few\ntargets: [RG32UI]\nfields: [" BYTES "]\n",
+        "layout: few\ntargets: [R32UI, R32UI]\nfields: [" BYTES "]\n",
+        "layout: few\ntargets: [R32UI, RGBA16UI, R32UI]\nfields: [" WORDS "]\n",
+        "layout: few\ntargets: [RGBA32UI]\nfields: [" WORDS "]\n",
+    };
+    static const Pane panes[] = {{{.2, .4, .8}, {.8, .6, .2}}, {{.6, .4, .2}, {.4, .8, .6}}};
+    static const double expected[] = {.76, .88, .93};
+    static char text[1 << 15];
+    write_panes(panes, 2, text, sizeof text);
+    for (size_t i = 0; i < sizeof layouts / sizeof *layouts; i++) {
+        MatcOptions options = frame_exact_options();
+        options.layout = NULL;
+        MatcLayout *layout = matc_layout_read("few.yaml", layouts[i], strlen(layouts[i]), &options);
+        if (!matc_layout_ok(layout))
+            fail_msg("%s", matc_layout_diagnostics(layout, MATC_TEXT));
+        options.custom = layout;
+        MatcDocument *document;
+        Scene *scene = frame_scene(text, &options, &document);
+        GlContext *gl = frame_context();
+        const RenderOptions with = {
+            .compile = &options, .view = "light", .transparency = "lists", .no_shadows = true};
+        float *rgba = frame_floats(gl, scene, &with);
+        const double off = farthest(rgba, SIZE * SIZE, expected);
+        print_message("%s off by %.2g\n", layouts[i], off);
+        assert_true(off <= 2 * exp2(-12));
+        free(rgba);
+        gl_close(gl);
+        frame_forget(scene, document);
+        matc_layout_free(layout);
+    }
+}
+
 /* -- two at one depth */
 
 #define PANE                                                                                                           \
@@ -374,6 +425,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(layers_are_their_closed_form),
+        cmocka_unit_test(lists_hold_words_of_each_format),
         cmocka_unit_test(none_of_equal_depth_is_lost),
         cmocka_unit_test(scenes_are_the_reference_by_all_ways),
         cmocka_unit_test(room),
