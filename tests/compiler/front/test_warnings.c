@@ -145,19 +145,19 @@ static void advice_says_both_readings(void **state)
     matc_document_free(document);
 }
 
-/* Advice is found after a warning about a later line, since diffuse is read before specular. */
+/* Advice about a definition is found where that is used, here after a warning about a later line. */
 static void advice_goes_before_later_warnings(void **state)
 {
     static const char text[] =
-        "material: Phong\nspecular: \"#808080\"\n"
-        "diffuse: { map: Blend, blend: [{ value: 1, input: 0 }, { value: 0, input: 1 }] }\n";
+        "defs:\n  grey: \"#808080\"\nmaterial: Phong\n"
+        "diffuse: #ff0000\nspecular: { ref: grey }\n";
     (void)state;
     MatcOptions options;
     matc_options_init(&options);
     options.warnings = "linear_colors";
     MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
     const char *said = matc_diagnostics(document, MATC_TEXT);
-    const char *advice = strstr(said, "a.yaml:2:11: note: "), *warning = strstr(said, "a.yaml:3:");
+    const char *advice = strstr(said, "a.yaml:2:9: note: "), *warning = strstr(said, "a.yaml:4:");
     assert_true(advice && warning);
     assert_true(advice < warning);
     matc_document_free(document);
