@@ -62,7 +62,8 @@ Staging *staging_open(const char *path, unsigned how, const char **why)
         return NULL;
     }
     Staging *s = sets_resize(NULL, sizeof *s);
-    *s = (Staging){.path = sets_copy(path), .folder = folder, .how = how, .new_folder = made, .stage = {folder, -1, ""}};
+    *s =
+        (Staging){.path = sets_copy(path), .folder = folder, .how = how, .new_folder = made, .stage = {folder, -1, ""}};
     s->device = info.st_dev;
     s->inode = info.st_ino;
     pthread_mutex_init(&s->mutex, NULL);

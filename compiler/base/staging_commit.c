@@ -27,7 +27,8 @@
 enum { WAIT_NS = 5000000, MAX_WAITS = 6000 /* half a minute */, MAX_INTENTS = 64 << 20 };
 
 static const char list_name[] = "intents", draft_name[] = "intents.new";
-static const char damaged[] = "the list of an interrupted run, .matc-stage-*/intents, is damaged: remove that folder to go on";
+static const char damaged[] =
+    "the list of an interrupted run, .matc-stage-*/intents, is damaged: remove that folder to go on";
 
 void intent_file(char name[STAGED_NAME], int number) { snprintf(name, STAGED_NAME, "%d", number); }
 
@@ -54,7 +55,8 @@ static bool intent_take(BytesReader *from, Intent *intent)
 
 const char *intents_write(const Stage *s, const Bytes *intents)
 {
-    const char *why = intents->size > MAX_INTENTS ? "too many files" : stage_write(s, draft_name, intents->at, intents->size);
+    const char *why =
+        intents->size > MAX_INTENTS ? "too many files" : stage_write(s, draft_name, intents->at, intents->size);
     if (!why && renameat(s->at, draft_name, s->at, list_name))
         why = text_error(errno);
     return why;

@@ -89,7 +89,10 @@ void stage_remove(Stage *s)
 }
 
 /* Whether the error says that the file system has no locks: then nobody takes the folder away either. */
-static bool has_no_locks(int error) { return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EBADF; }
+static bool has_no_locks(int error)
+{
+    return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EBADF;
+}
 
 const char *stage_make(Stage *s, int folder)
 {

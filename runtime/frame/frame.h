@@ -65,7 +65,7 @@ struct Render {
     int margin;   /* around a tile, that its edges look at */
     bool compute, zero_to_one;
     ExactNumberWhat number; /* what programs of surfaces write of triangles */
-    bool triangles; /* something asks for those that are drawn, wherever they are made */
+    bool triangles;         /* something asks for those that are drawn, wherever they are made */
     Transparency transparency;
     bool parted; /* lists of shadows are drawn in parts: shadow_parts.c */
     Set set;
@@ -85,7 +85,7 @@ struct Render {
     FramePositions *positions;
     FramePicture *picture;
     FrameGlass *glass;
-    bool uncounted; /* what passes count is to be counted again, since the scene changed */
+    bool uncounted;                        /* what passes count is to be counted again, since the scene changed */
     ScreenPass retired[FRAME_RETIRED_MAX]; /* of the scene before; the next one may share their programs */
     int retired_count;
     Reader reader; /* of a slot that is viewed */
@@ -97,7 +97,10 @@ struct Render {
 void frame_retire(Render *render, ScreenPass *pass);
 void frame_retired_delete(Render *render);
 /* Whether the frame has the target. */
-static inline bool frame_has(const Render *render, FrameTarget target) { return render->targets.plan.there >> target & 1; }
+static inline bool frame_has(const Render *render, FrameTarget target)
+{
+    return render->targets.plan.there >> target & 1;
+}
 /* What the cache is made of. */
 CacheSource frame_source(const Render *render);
 #endif

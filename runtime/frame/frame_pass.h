@@ -33,10 +33,10 @@ typedef struct {
     void (*draw)(Render *render);
     void (*drawn)(Render *render); /* the frame is complete */
 
-    void (*place)(Render *render);                        /* the tile is elsewhere in the picture */
-    bool (*changed)(Render *render, unsigned what);       /* a sum of FrameChange */
-    bool (*moved)(Render *render, int first, int count);  /* these objects stand elsewhere */
-    bool (*fall_back)(Render *render);                    /* memory ran out: true, if it will take less when made again */
-    void (*forget)(Render *render);                       /* frees all that was made for the scene */
+    void (*place)(Render *render);                       /* the tile is elsewhere in the picture */
+    bool (*changed)(Render *render, unsigned what);      /* a sum of FrameChange */
+    bool (*moved)(Render *render, int first, int count); /* these objects stand elsewhere */
+    bool (*fall_back)(Render *render); /* memory ran out: true, if it will take less when made again */
+    void (*forget)(Render *render);    /* frees all that was made for the scene */
 } FramePass;
 #endif

@@ -20,8 +20,9 @@ static size_t bytes_of(const Render *render, GLuint fragments)
 static bool make_buffer(Render *render, GLuint room)
 {
     const GlContext *gl = render->gl;
-    const GLuint head[LISTS_HEADS] = {
-        [LISTS_WIDTH] = (GLuint)render->size[0], [LISTS_PIXELS] = (GLuint)render->size[0] * (GLuint)render->size[1], [LISTS_ROOM] = room};
+    const GLuint head[LISTS_HEADS] = {[LISTS_WIDTH] = (GLuint)render->size[0],
+                                      [LISTS_PIXELS] = (GLuint)render->size[0] * (GLuint)render->size[1],
+                                      [LISTS_ROOM] = room};
     render->glass->lists.bytes = bytes_of(render, room);
     if (!render->glass->lists.buffer)
         gl->GenBuffers(1, &render->glass->lists.buffer);
@@ -143,13 +144,17 @@ void glass_put_lists(Text *out, const Render *render)
     const FrameLists *lists = &render->glass->lists;
     if (lists->buffer)
         text_format(out, "%-8s  %-24s  4, and %d a fragment: %lu bytes for %lu\n", "lists", "a buffer",
-                    4 * transparency_stride(&render->set), (unsigned long)lists->bytes, (unsigned long)lists->fragments);
+                    4 * transparency_stride(&render->set), (unsigned long)lists->bytes,
+                    (unsigned long)lists->fragments);
     else
         text_format(out, "%-8s  %-24s  not there\n", "lists", "a buffer");
 }
 
 static void pass_blend_place(Render *render) { lighting_place(render, &render->glass->blend); }
-static bool pass_blend_changed(Render *render, unsigned what) { return lighting_changed(render, what, &render->glass->blend); }
+static bool pass_blend_changed(Render *render, unsigned what)
+{
+    return lighting_changed(render, what, &render->glass->blend);
+}
 static void pass_blend_forget(Render *render) { frame_retire(render, &render->glass->blend); }
 
 static bool pass_blend_moved(Render *render, int first, int count)

@@ -144,7 +144,10 @@ static void pass_peel_delete(Render *render)
 }
 
 static void pass_peel_place(Render *render) { lighting_place(render, &render->glass->peel); }
-static bool pass_peel_changed(Render *render, unsigned what) { return lighting_changed(render, what, &render->glass->peel); }
+static bool pass_peel_changed(Render *render, unsigned what)
+{
+    return lighting_changed(render, what, &render->glass->peel);
+}
 
 static bool pass_peel_moved(Render *render, int first, int count)
 {
@@ -154,7 +157,9 @@ static bool pass_peel_moved(Render *render, int first, int count)
 }
 
 const FramePass pass_peel = {
-    .plan = {"peel", .reads = FRAME_BIT(depth), .fills = FRAME_BIT(layer) | FRAME_BIT(layer_depth) | FRAME_BIT(layer_keys), .changes = FRAME_BIT(light) | FRAME_BIT(tools)},
+    .plan = {"peel", .reads = FRAME_BIT(depth),
+             .fills = FRAME_BIT(layer) | FRAME_BIT(layer_depth) | FRAME_BIT(layer_keys),
+             .changes = FRAME_BIT(light) | FRAME_BIT(tools)},
     .when = "something is transparent, and there are no lists",
     .needed = pass_peel_needed,
     .make = pass_peel_make,

@@ -19,10 +19,7 @@ static bool pass_combine_make(Render *render)
     return true;
 }
 
-static void pass_combine_place(Render *render)
-{
-    lighting_place(render, &render->indirect->combine);
-}
+static void pass_combine_place(Render *render) { lighting_place(render, &render->indirect->combine); }
 
 static void pass_combine_draw(Render *render)
 {
@@ -31,7 +28,10 @@ static void pass_combine_draw(Render *render)
     screen_pass_run(&render->indirect->combine, &render->targets.draws[FRAME_DRAW_light], &render->screen);
 }
 
-static bool pass_combine_changed(Render *render, unsigned what) { return lighting_changed(render, what, &render->indirect->combine); }
+static bool pass_combine_changed(Render *render, unsigned what)
+{
+    return lighting_changed(render, what, &render->indirect->combine);
+}
 
 const FramePass pass_combine = {
     .plan = {"combine", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(open), .changes = FRAME_BIT(light)},

@@ -110,8 +110,8 @@ static size_t fill_block(Render *render, Block *block)
     block->doubts[0] = (doubts & INDIRECT_DOUBT_light) != 0;
     block->doubts[1] = (doubts & INDIRECT_DOUBT_openness) != 0;
     block->doubts[2] = (float)reach_of(render);
-    const bool moved = history->there && !history->still &&
-                       indirect_motion_draw(render, history->eye_from_world, &block->moved);
+    const bool moved =
+        history->there && !history->still && indirect_motion_draw(render, history->eye_from_world, &block->moved);
     return moved ? sizeof *block : offsetof(Block, moved) + sizeof block->moved.counts;
 }
 
@@ -188,7 +188,10 @@ static void pass_history_draw(Render *render)
 }
 
 const FramePass pass_history = {
-    .plan = {"history", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) | FRAME_BIT(radiance) | FRAME_BIT(rays), .fills = FRAME_BIT(history)},
+    .plan = {"history",
+             .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) |
+                      FRAME_BIT(radiance) | FRAME_BIT(rays),
+             .fills = FRAME_BIT(history)},
     .when = "rays of several sets, or frames, count",
     .needed = indirect_keeps,
     .make = pass_history_make,

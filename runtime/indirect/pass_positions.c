@@ -37,8 +37,9 @@ static void set(Render *render, const char *name, const float values[4])
 static void set_turn(Render *render, double right, double up)
 {
     const double a = right * PI / 180, b = up * PI / 180;
-    const float turn[9] = {(float)cos(a),         0,             (float)sin(a), 0, (float)cos(b), (float)sin(b),
-                           (float)-sin(a), (float)-sin(b), (float)(cos(a) * cos(b))};
+    const float turn[9] = {
+        (float)cos(a),           0, (float)sin(a), 0, (float)cos(b), (float)sin(b), (float)-sin(a), (float)-sin(b),
+        (float)(cos(a) * cos(b))};
     material_set(&render->positions->material, &(MaterialValue){"positions_turn", 9, turn});
 }
 

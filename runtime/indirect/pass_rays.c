@@ -22,8 +22,9 @@ void pass_rays_place(Render *render)
     indirect_forget(render);
     FrameIndirect *in = render->indirect;
     enum { RAYS = 4 }; /* of them send rays */
-    ScreenPass *passes[] = {&in->rays,          &in->again,         &in->moving.rays,   &in->moving.again,  &in->smooth, &in->spread,
-                            &in->moving.smooth, &in->moving.spread, &in->history.blend, &in->history.place};
+    ScreenPass *passes[] = {&in->rays,          &in->again,        &in->moving.rays,   &in->moving.again,
+                            &in->smooth,        &in->spread,       &in->moving.smooth, &in->moving.spread,
+                            &in->history.blend, &in->history.place};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         indirect_set(render, passes[i]);
     for (size_t i = 0; i < RAYS; i++)
@@ -207,7 +208,10 @@ static void pass_rays_forget(Render *render)
 }
 
 const FramePass pass_rays = {
-    .plan = {"rays", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) | FRAME_BIT(radiance), .fills = FRAME_BIT(rays)},
+    .plan = {"rays",
+             .reads =
+                 FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) | FRAME_BIT(radiance),
+             .fills = FRAME_BIT(rays)},
     .when = "light is indirect",
     .needed = pass_rays_needed,
     .request = pass_rays_request,

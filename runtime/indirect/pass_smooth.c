@@ -25,7 +25,8 @@ static int atrous_levels(const Render *render)
 int pass_smooth_reach(const Render *render)
 {
     const int coarse = indirect_coarse(render), spread = coarse > 1 ? 2 : 0;
-    const int reach = is_atrous(render) ? 2 * ((1 << atrous_levels(render)) - 1) + 1 : indirect_filter_size(render, coarse);
+    const int reach =
+        is_atrous(render) ? 2 * ((1 << atrous_levels(render)) - 1) + 1 : indirect_filter_size(render, coarse);
     return indirect_is_smoothed(render) ? coarse * (reach + spread) : 0;
 }
 
@@ -82,7 +83,8 @@ static bool pass_spread_make(Render *render)
 /* What rays found. */
 static GLuint found(const Render *render)
 {
-    return indirect_keeps(render) && !indirect_moves(render) ? indirect_kept(render) : frame_texture(render, FRAME_TARGET_rays, 0);
+    return indirect_keeps(render) && !indirect_moves(render) ? indirect_kept(render)
+                                                             : frame_texture(render, FRAME_TARGET_rays, 0);
 }
 
 static void run(Render *render, ScreenPass *pass, GLuint source, const Framebuffer *made)

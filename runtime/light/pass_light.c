@@ -10,8 +10,10 @@ static bool make_far(Render *render)
 {
     char defined[LIGHT_FAR_DEFINITIONS];
     light_far_define(render, LIGHT_FAR_light, defined);
-    const LightingText text = {
-        {defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far}, false, 0, LIGHTING_nearest};
+    const LightingText text = {{defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far},
+                               false,
+                               0,
+                               LIGHTING_nearest};
     if (!lighting_make(render, &text, &render->light->pass))
         return false;
     light_far_set(render, &render->light->pass);
@@ -39,7 +41,10 @@ static void pass_light_draw(Render *render)
 }
 
 static void pass_light_place(Render *render) { lighting_place(render, &render->light->pass); }
-static bool pass_light_changed(Render *render, unsigned what) { return lighting_changed(render, what, &render->light->pass); }
+static bool pass_light_changed(Render *render, unsigned what)
+{
+    return lighting_changed(render, what, &render->light->pass);
+}
 
 static bool pass_light_moved(Render *render, int first, int count)
 {
@@ -57,7 +62,10 @@ static void pass_light_forget(Render *render)
 }
 
 const FramePass pass_light = {
-    .plan = {"light", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(shadow) | FRAME_BIT(mask) | FRAME_BIT(seen) | FRAME_BIT(far), .fills = FRAME_BIT(light), .own = FRAME_BIT(gbuffer)},
+    .plan = {"light",
+             .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(shadow) | FRAME_BIT(mask) | FRAME_BIT(seen) |
+                      FRAME_BIT(far),
+             .fills = FRAME_BIT(light), .own = FRAME_BIT(gbuffer)},
     .when = "always: what is not lit is black",
     .needed = pass_light_needed,
     .make = pass_light_make,

@@ -105,7 +105,10 @@ static void pass_edge_delete(Render *render)
     render->picture->edge = (FrameEdge){0};
 }
 
-static bool pass_edge_changed(Render *render, unsigned what) { return !(what & RENDER_CAMERA) || pass_edge_change(render); }
+static bool pass_edge_changed(Render *render, unsigned what)
+{
+    return !(what & RENDER_CAMERA) || pass_edge_change(render);
+}
 
 static bool pass_edge_moved(Render *render, int first, int count)
 {

@@ -204,7 +204,8 @@ static bool pass_tone_changed(Render *render, unsigned what)
 }
 
 const FramePass pass_tone = {
-    .plan = {"tone", .reads = FRAME_BIT(light) | FRAME_BIT(edge) | FRAME_BIT(tools), .fills = FRAME_BIT(shown), .own = FRAME_BIT(edge)},
+    .plan = {"tone", .reads = FRAME_BIT(light) | FRAME_BIT(edge) | FRAME_BIT(tools), .fills = FRAME_BIT(shown),
+             .own = FRAME_BIT(edge)},
     .when = "the picture is wanted",
     .needed = pass_tone_needed,
     .make = pass_tone_make,

@@ -155,7 +155,8 @@ static bool pass_tools_changed(Render *render, unsigned what)
 }
 
 const FramePass pass_tools = {
-    .plan = {"tools", .reads = FRAME_BIT(shadow), .fills = FRAME_BIT(tools), .changes = FRAME_BIT(depth) | FRAME_BIT(light)},
+    .plan = {"tools", .reads = FRAME_BIT(shadow), .fills = FRAME_BIT(tools),
+             .changes = FRAME_BIT(depth) | FRAME_BIT(light)},
     .when = "tools are asked for, or a view of shadow volumes",
     .needed = pass_tools_needed,
     .make = pass_tools_make,

@@ -15,28 +15,10 @@
 
 /* In the order of a frame. */
 static const FramePass *const passes[] = {
-    &pass_surface,
-    &pass_plane,
-    &pass_positions,
-    &pass_shadow,
-    &pass_voxels,
-    &pass_cubes,
-    &pass_radiance,
-    &pass_volume,
-    &pass_gather,
-    &pass_light,
-    &pass_rays,
-    &pass_history,
-    &pass_smooth,
-    &pass_spread,
-    &pass_combine,
-    &pass_sky,
-    &pass_edge,
-    &pass_tools,
-    &pass_lists,
-    &pass_blend,
-    &pass_peel,
-    &pass_tone,
+    &pass_surface,  &pass_plane,  &pass_positions, &pass_shadow, &pass_voxels, &pass_cubes,
+    &pass_radiance, &pass_volume, &pass_gather,    &pass_light,  &pass_rays,   &pass_history,
+    &pass_smooth,   &pass_spread, &pass_combine,   &pass_sky,    &pass_edge,   &pass_tools,
+    &pass_lists,    &pass_blend,  &pass_peel,      &pass_tone,
 };
 enum { PASSES = sizeof passes / sizeof *passes };
 
@@ -153,8 +135,7 @@ bool frame_count(Render *render)
 {
     bool fine = true;
     for (int i = 0; fine && i < PASSES; i++)
-        if (runs(render, i) && passes[i]->count &&
-            passes[i]->count(render, FRAME_COUNT_wanted))
+        if (runs(render, i) && passes[i]->count && passes[i]->count(render, FRAME_COUNT_wanted))
             fine = count_pass(render, i);
     for (int i = 0; fine && i < PASSES; i++)
         if (passes[i]->recount)
