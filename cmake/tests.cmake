@@ -33,7 +33,7 @@ target_compile_options(strike PRIVATE -fno-sanitize=all)
 target_link_libraries(strike PRIVATE matc_flags ${CMAKE_DL_LIBS})
 target_link_options(strike PRIVATE -fno-sanitize=all)
 
-# Allocations that fail by count, for tests/tool/out_of_memory.sh
+# Makes the n-th allocation fail, for tests/tool/out_of_memory.sh
 add_library(failing_malloc MODULE tests/kill/failing_malloc.c)
 target_compile_options(failing_malloc PRIVATE -fno-sanitize=all)
 target_link_libraries(failing_malloc PRIVATE matc_flags)
@@ -46,16 +46,17 @@ set(QUICK golden abi embed_example functions layers locale exports test_affine t
   test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_group test_rules_range test_scene_defaults test_sheet test_tables test_thesis)
 
 file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c tests/*/test_*.c tests/*/*/test_*.c)
-# A line of its own in a test says what ctest must know about it: /* ctest: WORD... */, with these words:
-#   unsanitized  The sanitizers leave it out. Frames and memory differ under them; means of many numbers, and pictures that are
-#                compared with those of other renderers, do not. For others the driver's compiler takes minutes, and what
-#                they call of matc and of the renderer runs under sanitizers in another test.
-#   alone        A program of its own where tests are joined: those with the world of kill/, and those with megabytes of arrays,
-#                all of which LeakSanitizer scans.
-#   unoptimized  Most of its time goes to the compiler of Mesa's software driver. Without that compiler's optimizations it
-#                takes two thirds and draws the same bits.
-#   small-pages  It measures memory or stack, which large pages would change.
-#   seconds=N    Its usual time, from 10 seconds on: a first run starts the longest tests first.
+# A test passes properties to ctest by a comment line, /* ctest: WORD... */. The words are:
+#   unsanitized  Not in the sanitized build. Either the test measures stack or memory, which
+#                sanitizers change; or its results are means or pictures, which they cannot change;
+#                or the driver's compiler would take minutes, and another test runs the same code
+#                under sanitizers.
+#   alone        A program of its own where tests are joined: tests that use kill/world.c, and those
+#                with megabytes of arrays, which LeakSanitizer would scan in every joined test.
+#   unoptimized  Without optimizations of Mesa's shader compiler, which takes most of the time of the
+#                test. It then takes two thirds of the time and draws the same bits.
+#   small-pages  Without large pages, since the test measures memory or stack.
+#   seconds=N    Usual time from 10 seconds on: a first run starts the longest tests first.
 set(WORDS unsanitized alone unoptimized small-pages)
 foreach(file ${TESTS})
   get_filename_component(name ${file} NAME_WE)
@@ -255,7 +256,7 @@ if(NOT SANITIZED)
   set_tests_properties(browser PROPERTIES LABELS browser)
 endif()
 
-# The usual seconds of tests that are no test_*.c; later runs go by what they took.
+# Usual seconds of tests other than test_*.c; later runs go by measured times.
 list(APPEND LONG install_make=101 add=81 pictures=80 batch=78 install=66 figures=57 subproject=55
   command_line=46 schema=33 test_valid_spirv=33 package=26 links=25 special=23 view=22 order=21
   fuzz_scene_seeds=21 folder=16 names=15 pages=12 options=10 layers=10)

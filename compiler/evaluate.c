@@ -222,7 +222,7 @@ static bool has_material(const MatcDocument *d, int material)
     return material >= 0 && material < matc_material_count(d);
 }
 
-/* A list of that many points can be there. */
+/* The arguments are a valid list: empty, or a pointer and a positive count. */
 static bool is_list(const void *points, int count) { return count == 0 || (points && count > 0); }
 
 /* The oracle of a document as the options have it; NULL: they are faulty. */

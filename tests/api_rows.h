@@ -1,4 +1,4 @@
-/* Tables of a public header's functions: one row for each that the header declares, so that a new function without a row
+/* A table with a row for each function that a public header declares. A function without a row
  * fails.
  *
  *     static const ApiRow rows[] = {{"matc_read", wrong_read}, ...};
@@ -28,7 +28,8 @@ static char *api_text(const char *path)
     return text;
 }
 
-/* The name before the next "(" behind a MATC_API; NULL: there are no more. */
+/* Finds the next function that is declared with MATC_API. Returns the text after its name, or
+ * NULL. */
 static const char *api_next(const char *text, char name[API_NAME])
 {
     const char *at = strstr(text, "\nMATC_API ");
@@ -44,7 +45,8 @@ static const char *api_next(const char *text, char name[API_NAME])
     return end;
 }
 
-/* Every function of the header has a row and every row a function; then asks them all. */
+/* Checks that each function of the header has a row and each row a function, then calls all
+ * rows. */
 static void api_rows_run(const char *header, const ApiRow *rows, size_t count)
 {
     char path[4096], name[API_NAME];

@@ -36,7 +36,7 @@ static int remember(const char *path, const struct stat *info, int type, struct 
     if (strstr(path, "examples/engine/")) /* built by a test of its own */
         return 0;
     bool wanted = has_suffix(path, ".yaml") || has_suffix(path, ".json") || strstr(path, "tests/ir/");
-    wanted &= !strstr(path, "examples/engine/"); /* tests/packaging/install.sh builds it */
+    wanted &= !strstr(path, "examples/engine/"); /* tests/packaging/install.sh builds that example */
     if (type == FTW_F && found_count < MOST_FILES && wanted && !has_suffix(path, ".out"))
         found[found_count++] = strdup(path);
     return 0;

@@ -1,4 +1,4 @@
-/* The frame of every test: cmocka, with the headers that it needs to be included first. */
+/* Every test includes this first: cmocka and the headers that cmocka needs. */
 #ifndef TESTS_TEST_H
 #define TESTS_TEST_H
 #include <setjmp.h>

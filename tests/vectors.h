@@ -1,4 +1,4 @@
-/* Vectors of three doubles, for references and closed forms. They share no code with the product. */
+/* Vectors of three doubles, for references and closed forms. They share no code with matc. */
 #ifndef TESTS_VECTORS_H
 #define TESTS_VECTORS_H
 

@@ -15,7 +15,7 @@ void *arena_alloc(Arena *arena, size_t size);
 void *arena_zero(Arena *arena, size_t size);
 /* Copy of `size` bytes, with a zero byte behind. */
 char *arena_string(Arena *arena, const char *text, size_t size);
-/* A copy of an array of `count` elements of `size`, with room for `room` of them. */
+/* A copy of `count` elements of `size` bytes, in an array with a capacity of `room`. */
 void *arena_copy(Arena *arena, const void *array, size_t count, size_t room, size_t size);
 /* Makes an allocation of `size` bytes one of `wanted`: the newest grows where it lies, any other moves, with its first `kept` bytes. */
 void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wanted);

@@ -6,7 +6,8 @@
 #include "compiler/matc.h"
 #include <stdbool.h>
 
-/* advice: of rows alone, a note that is off until a setting names it; none: not reported. */
+/* advice: only in rows of diags.def; such a diagnostic is a note that is off until a setting names
+ * it. none: the diagnostic is not reported. */
 typedef enum { SEVERITY_note, SEVERITY_warning, SEVERITY_error, SEVERITY_advice, SEVERITY_none } Severity;
 
 typedef enum {

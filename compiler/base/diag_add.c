@@ -48,10 +48,10 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
     return NULL;
 }
 
-/* A note about the diagnostic before it; advice stands for itself. */
+/* The diagnostic is a note about the one before it. Advice is a note of its own. */
 static bool is_of_another(const Diag *diag) { return diag_table[diag->kind].severity == SEVERITY_note; }
 
-/* Where the one that a note is of stands: itself, of another. */
+/* Index of the diagnostic that a note belongs to; any other diagnostic: its own index. */
 static size_t head_of(const DiagList *diags, size_t i)
 {
     while (i > 0 && is_of_another(&diags->at[i]))

@@ -25,7 +25,7 @@ typedef struct {
 
 /* Adds a number, whatever is there already. Memory is the arena's; NULL: malloc's, until hash_index_free. */
 void hash_index_add(Arena *arena, HashIndex *index, uint32_t hash, uint32_t number);
-/* The same numbers in a table of its own. */
+/* A copy with the same entries; later additions to one do not show in the other. */
 HashIndex hash_index_copy(Arena *arena, const HashIndex *index);
 void hash_index_free(HashIndex *index);
 

@@ -158,8 +158,8 @@ static const char *unknown(const Reader *r, const char *argument)
     return out.at;
 }
 
-/* Reads "--name", "--name=value", "--name value", "-o value" or "-ovalue". *next is the argument
- * behind, or NULL; it becomes NULL when it was the value. */
+/* Reads "--name", "--name=value", "--name value", "-o value" or "-ovalue". *next is the
+ * following argument or NULL; it becomes NULL if it was taken as the value. */
 static const char *read_one(const Reader *r, const char *argument, const char **next)
 {
     for (int i = 0; i < r->table->count; i++) {

@@ -1,5 +1,6 @@
 /* The parser of command lines that matc, matview and matbench share. A program has a table with a
- * row for each option: its name, the kind of its value, where it goes, and its text in --help.
+ * row for each option: its name, the kind of its value, the member that stores it, and its text in
+ * --help.
  *
  *     {"--size", OPTION_int, offsetof(Command, size), .label = "=N", .min = 1, .max = 16384,
  *      .wants = "--size wants a number from 1 to 16384", .help = "pixels of an edge: 512"}
@@ -14,11 +15,11 @@
 #include "compiler/base/text.h"
 
 typedef enum {
-    OPTION_heading, /* not an option: `help` is printed as it stands */
+    OPTION_heading, /* not an option: --help prints `help` unchanged */
     OPTION_flag,    /* bool, becomes true */
     OPTION_clear,   /* bool, becomes false */
     OPTION_text,    /* const char * */
-    OPTION_maybe,   /* const char *, or `otherwise` where its value is left out, as in "--list" */
+    OPTION_maybe,   /* const char *; `otherwise` if the value is missing, as in "--list" */
     OPTION_list,    /* const char **, and an int count at `count_place`; each use adds a string */
     OPTION_int,     /* int, from min to max */
     OPTION_real,    /* double, from min to max */
@@ -37,24 +38,26 @@ struct Option {
     double min, max;
     bool clamped;      /* an int above max becomes max */
     const char *wants; /* "--size wants a number from 1 to 16384" */
-    /* Replaces storing, after words were checked. value is NULL where it was left out. Returns NULL
-     * or a fault. */
+    /* Stores the value in place of the parser, which has already checked it against `words`.
+     * `value` is NULL if it is missing. Returns NULL or a fault. */
     const char *(*set)(void *to, const Option *option, const char *value);
     const char *label;             /* follows the name in --help: "=N" */
-    const char *help;              /* lines of --help; NULL: another row has them */
-    void (*put_help)(Text *out); /* writes the beginning of the help, where it depends on tables */
+    const char *help;              /* lines of --help; NULL: another row describes the option */
+    void (*put_help)(Text *out); /* writes names from tables ahead of `help`; or NULL */
 };
 
 typedef struct {
     const Option *rows;
     int count;
-    /* Finds the values of an option without `words`, to list them where one is missing; or NULL. */
+    /* Finds the values of an option without `words`, so that a fault can list them; or NULL. */
     bool (*values)(const char *name, NameChoice *values);
-    /* Takes an argument that is not an option, literal behind "--". Returns NULL or a fault. */
+    /* Takes an argument that is not an option. `literal`: it follows "--". Returns NULL or a
+     * fault. */
     const char *(*input)(void *to, const char *argument, bool literal);
 } OptionTable;
 
-/* Reads argv[1] to the end into the struct `to`. Returns NULL or the first fault, in the arena. */
+/* Reads argv from argv[1] on into the struct `to`. Returns NULL or the first fault, in the
+ * arena. */
 const char *option_read(const OptionTable *table, void *to, Arena *arena, int argc, char **argv);
 /* Appends each row's lines of --help: name and label, then the text from column 23 on. */
 void option_put_help(Text *out, const Option *rows, int count);
@@ -65,7 +68,7 @@ const char *option_fault_value(Arena *arena, const char *option, const char *val
 /* "--size wants a number, not 'x'" */
 const char *option_fault_number(Arena *arena, const char *wants, const char *value);
 
-/* A NameChoice of words that are written out. */
+/* OPTION_WORDS("a", "b") is a NameChoice of these words; option_word returns the i-th. */
 const char *option_word(const void *user, int i);
 #define OPTION_WORDS(...)                                                                          \
     {                                                                                              \

@@ -1,6 +1,7 @@
-/* Stages files in a hidden folder within the output folder (staging_folder.c), so that moving them is
- * a rename, and commits them so that a kill does not split them (staging_commit.c). The hidden folder is made
- * with the first file that differs from what is there: a run that changes nothing writes nothing. */
+/* Output files that appear together. New files wait in a hidden folder within the output folder
+ * (staging_folder.c), so that moving them is a rename; a commit moves all of them even if the
+ * process is killed (staging_commit.c). The hidden folder is created with the first file whose
+ * bytes differ from those in the output folder, so a run that changes nothing writes nothing. */
 #include "compiler/base/staging.h"
 #include "compiler/base/sets.h"
 #include "compiler/base/staging_commit.h"
@@ -16,7 +17,7 @@
 
 typedef struct {
     Key hash;
-    bool staged; /* else the folder has these bytes already */
+    bool staged; /* else the output folder already has these bytes */
     bool dropped, index;
 } StagedFile;
 
@@ -27,7 +28,7 @@ struct Staging {
     ino_t inode;
     unsigned how;
     bool new_folder; /* and nothing is in it yet */
-    bool begun;      /* its intents are written */
+    bool begun;      /* the list of intents is on the disk, and the folder is locked */
     Stage stage;
     StringSet names;
     StagedFile *files; /* by number of the name */
@@ -36,10 +37,10 @@ struct Staging {
     Bytes intents;
     int moves, written;
     pthread_mutex_t mutex; /* guards the members above */
-    pthread_mutex_t disk;  /* one thread at a time creates files: kernels serialize that anyway, and spin */
+    pthread_mutex_t disk;  /* held to create files, which kernels serialize by spin locks */
 };
 
-/* Finishes what ended processes left in the folder. */
+/* Finishes commits of ended processes and removes their staging folders. */
 static const char *recover(int folder)
 {
     const char *why = intents_lock(folder);
@@ -250,7 +251,8 @@ static void add_move(Staging *s, int number)
     s->moves++;
 }
 
-/* Lists what the commit is to do: the index goes first and comes last. Returns the number of changes. */
+/* Lists the intents of a commit: it removes the old index first and moves the new one last. Returns
+ * the number of moves and removals. */
 static int list_intents(Staging *s)
 {
     int index = -1;
@@ -269,7 +271,7 @@ static int list_intents(Staging *s)
     return s->moves + s->stale.count;
 }
 
-/* Writes the list of intents. The folder is locked then. */
+/* Locks the folder and writes the list of intents. On success the folder stays locked. */
 static const char *begin(Staging *s)
 {
     const char *why = s->stage.at < 0 ? stage_make(&s->stage, s->folder) : NULL;
@@ -284,7 +286,7 @@ static const char *begin(Staging *s)
     return why;
 }
 
-/* Leaves the folder as it was. */
+/* Deletes a list that was written but not begun, and unlocks the folder. */
 static void withdraw(Staging *s)
 {
     if (!s->begun)
@@ -294,7 +296,7 @@ static void withdraw(Staging *s)
     s->begun = false;
 }
 
-/* Carries the list out. A single rename needs none. */
+/* Carries out the intents. They are on the disk too, unless the commit is a single rename. */
 static const char *apply(Staging *s, int *done)
 {
     const char *why = intents_apply(&s->stage, &s->intents, NULL, done);
@@ -308,7 +310,8 @@ static const char *apply(Staging *s, int *done)
     return NULL;
 }
 
-/* After a failure in the middle the lists stay, and the next run finishes them. */
+/* Writes the lists of all folders before it moves the first file. A failure before that move
+ * deletes the lists; after it they stay, and the next run finishes them. */
 const char *staging_commit(Staging *const *stagings, int count)
 {
     const char *why = NULL;

@@ -1,17 +1,18 @@
-/* A commit that a kill cannot split. A process may end at any call:
+/* A commit that a kill cannot leave half done. Its steps, and what a kill after each leads to:
  *
- *   1. All new files are staged, whole.                        a kill: the next run removes them
- *   2. The file "intents" lists what is to be done.            from here on: the next run does it
+ *   1. All new files are staged.                               the next run removes them
+ *   2. The file "intents" lists all moves and removals.        from here on: the next run does them
  *   3. The old index (the manifest) is removed, if it changes.
  *   4. Each new file is renamed over the old one.
  *   5. Each file that is no longer made is removed, if its bytes are still those of the last run.
  *   6. The new index is renamed to its place.
  *   7. The staging folder is removed, and the list with it.
  *
- * So an index that is there is true, and at any step the list can be carried out once more: a staged
- * file that is gone has been moved. For example, of [hide manifest.json, put a.frag, remove b.frag,
- * put manifest.json] a process killed behind a.frag leaves a folder without a manifest, in which the
- * next run removes b.frag and moves the manifest. A file that somebody wrote over in between stays. */
+ * So an index, if there is one, always matches the files. The list can be carried out again after
+ * any step, since a missing staged file has already been moved. For example, a process with the
+ * list [hide manifest.json, put a.frag, remove b.frag, put manifest.json] that is killed after
+ * a.frag leaves a folder without a manifest; the next run removes b.frag and moves the manifest. It
+ * keeps a file that somebody has changed since the list was written. */
 #include "compiler/base/staging_commit.h"
 #include "compiler/base/text.h"
 #include <errno.h>
@@ -40,7 +41,7 @@ void intent_add(Bytes *intents, const Intent *intent)
     bytes_text(intents, intent->name);
 }
 
-/* Takes the next intent. False: the list is damaged. */
+/* Reads the next intent. Returns false if the list is damaged. */
 static bool intent_take(BytesReader *from, Intent *intent)
 {
     uint32_t kind = bytes_take_number(from), number = bytes_take_number(from);
@@ -64,7 +65,8 @@ const char *intents_write(const Stage *s, const Bytes *intents)
 
 void intents_withdraw(const Stage *s) { unlinkat(s->at, list_name, 0); }
 
-/* Whether the folder's file was changed after the time: then it is not what an ended run left. */
+/* Whether the file was changed after `time`, so that it is not what the ended run left; NULL:
+ * false. */
 static bool is_newer(int folder, const char *name, const struct timespec *time)
 {
     struct stat info;
@@ -83,7 +85,7 @@ static int remove_unchanged(int folder, const Intent *intent)
     return unlinkat(folder, intent->name, 0) ? errno : 0;
 }
 
-/* Carries one intent out. `since`: when the list was written, if its process has ended. 0, or errno. */
+/* Carries out one intent. Returns 0 or errno. `since`: as for intents_apply. */
 static int apply_one(const Stage *s, const Intent *intent, const struct timespec *since)
 {
     char staged[STAGED_NAME];
@@ -91,7 +93,7 @@ static int apply_one(const Stage *s, const Intent *intent, const struct timespec
         return remove_unchanged(s->folder, intent);
     intent_file(staged, intent->number);
     if (since && (faccessat(s->at, staged, F_OK, AT_SYMLINK_NOFOLLOW) || is_newer(s->folder, intent->name, since)))
-        return 0; /* done before, or another's file by now */
+        return 0; /* already done, or somebody has changed the file since */
     if (intent->kind != INTENT_put)
         return unlinkat(s->folder, intent->name, 0) && errno != ENOENT ? errno : 0;
     return renameat(s->at, staged, s->folder, intent->name) ? errno : 0;
@@ -112,7 +114,7 @@ const char *intents_apply(const Stage *s, const Bytes *intents, const struct tim
     return NULL;
 }
 
-/* Finishes the commit of an ended process, if it had begun one. */
+/* Finishes the commit of an ended process if its folder has a list. Returns NULL or a fault. */
 static const char *finish(const Stage *s)
 {
     struct stat info;
@@ -131,7 +133,7 @@ static const char *finish(const Stage *s)
     return why;
 }
 
-/* Where the file system knows no locks, commits are not kept apart. */
+/* Locks the output folder. On a file system without locks commits of several processes may mix. */
 static const char *lock(int folder)
 {
     for (int i = 0; flock(folder, LOCK_EX | LOCK_NB) && (errno == EWOULDBLOCK || errno == EINTR); i++) {

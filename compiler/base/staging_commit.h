@@ -1,5 +1,5 @@
-/* A commit as a list of intents that is carried out by its own process or by the next one.
- * Internal to staging*.c. */
+/* A commit as a list of intents. The process that wrote the list carries it out, or, after a kill,
+ * the next process that opens the folder. Internal to staging*.c. */
 #ifndef MATC_STAGING_COMMIT_H
 #define MATC_STAGING_COMMIT_H
 #include "compiler/base/bytes.h"
@@ -7,33 +7,35 @@
 #include <time.h>
 
 typedef enum {
-    INTENT_hide,   /* the folder's index goes while what it lists changes */
-    INTENT_put,    /* a staged file takes its place in the folder */
-    INTENT_remove, /* a file with that hash goes */
+    INTENT_hide,   /* remove the folder's index while the files that it lists change */
+    INTENT_put,    /* move a staged file into the output folder */
+    INTENT_remove, /* remove a file of the last run; after a kill only if it has this hash */
     INTENT_KINDS
 } IntentKind;
 
 typedef struct {
     IntentKind kind;
-    int number;       /* the staged file, see intent_file(); of a hidden index: the new one */
-    Key hash;         /* of a file to remove */
-    const char *name; /* in the folder */
+    int number;       /* staged file, see intent_file(); for hide: the new index */
+    Key hash;         /* for remove */
+    const char *name; /* in the output folder */
 } Intent;
 
 enum { STAGED_NAME = 16 };
 void intent_file(char name[STAGED_NAME], int number);
 
 void intent_add(Bytes *intents, const Intent *intent);
-/* Writes the list beside the staged files. From then on the next run finishes it after a kill. */
+/* Writes the list beside the staged files. From then on a kill does not stop the commit: the next
+ * run finishes it. Returns NULL or a fault. */
 const char *intents_write(const Stage *stage, const Bytes *intents);
-/* Carries the list out, in its order, and adds to *done for each intent. `since`: when the list was written, if
- * its process has ended: what is done already, or was changed later, is left alone; else NULL. NULL, or
- * the reason of the first failure. */
+/* Carries out the list in its order and counts the finished intents in *done. Returns NULL or the
+ * first fault. `since` is NULL in the process that wrote the list. In a later process it is the
+ * time at which the list was written: intents that are already done, and files that changed later,
+ * are skipped. */
 const char *intents_apply(const Stage *stage, const Bytes *intents, const struct timespec *since, int *done);
-/* Withdraws a list of which nothing is done. */
+/* Deletes a list, none of whose intents was carried out. */
 void intents_withdraw(const Stage *stage);
-/* Locks the folder against other commits, for half a minute at most, and finishes those of ended
- * processes. NULL, or the reason: then it is not locked. */
+/* Locks the folder against other commits, for which it waits half a minute at most, and finishes
+ * the commits of ended processes. Returns NULL, or a fault; then the folder is not locked. */
 const char *intents_lock(int folder);
 void intents_unlock(int folder);
 #endif

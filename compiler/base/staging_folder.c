@@ -1,5 +1,5 @@
-/* Makes, takes over and removes staging folders. Every path is opened below a folder that is open,
- * and no link is followed. */
+/* Makes, takes over and removes staging folders. Every path is opened relative to an open folder,
+ * and no symbolic link is followed. */
 #include "compiler/base/staging_folder.h"
 #include "compiler/base/text.h"
 #include <dirent.h>
@@ -19,7 +19,7 @@ enum { MAX_TRIES = 100, UNIQUE = 6, OWNER_ONLY = 0700, READABLE = 0666, CHUNK = 
 
 static const char prefix[] = ".matc-stage-";
 
-/* Chooses a name that nobody can predict. */
+/* Chooses an unpredictable name. */
 static void choose_name(char name[STAGE_NAME])
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
@@ -50,7 +50,7 @@ static int open_locked(Stage *s)
     if (s->at < 0 || fstat(s->at, &ours))
         return errno;
     if (ours.st_uid != geteuid())
-        return EACCES; /* in /tmp, others must not make us rename our files */
+        return EACCES; /* another user must not make this process rename files, as in /tmp */
     if (flock(s->at, LOCK_EX | LOCK_NB))
         return errno;
     return fstatat(s->folder, s->name, &there, AT_SYMLINK_NOFOLLOW) || ours.st_dev != there.st_dev ||
@@ -88,7 +88,8 @@ void stage_remove(Stage *s)
     stage_leave(s);
 }
 
-/* Whether the error says that the file system has no locks: then nobody takes the folder away either. */
+/* Whether the error says that the file system has no locks. Then no other process can lock the
+ * folder and remove it, either. */
 static bool has_no_locks(int error)
 {
     return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EBADF;
@@ -107,7 +108,7 @@ const char *stage_make(Stage *s, int folder)
         error = open_locked(s);
         if (!error || (s->at >= 0 && has_no_locks(error)))
             return NULL;
-        stage_remove(s); /* also one that a cleaner locked first */
+        stage_remove(s); /* also if another process locked it first in order to remove it */
     }
     return text_error(error);
 }

@@ -12,18 +12,20 @@ typedef struct {
     char name[STAGE_NAME];
 } Stage;
 
-/* Makes an empty one. Returns NULL, or the reason of the failure. */
+/* Makes an empty staging folder and locks it. Returns NULL or a fault. */
 const char *stage_make(Stage *stage, int folder);
-/* Writes a new file, and replaces one of the same name. NULL, or the reason: then there is none. */
+/* Writes a file, replacing one of the same name. Returns NULL, or a fault; then there is no such
+ * file. */
 const char *stage_write(const Stage *stage, const char *name, const void *bytes, size_t size);
-/* Closes it and leaves it to the next run. */
+/* Closes the folder and leaves it to the next run. */
 void stage_leave(Stage *stage);
-/* Removes its files and itself. The next run removes what cannot be removed now. */
+/* Removes the folder and its files. The next run removes those that cannot be removed now. */
 void stage_remove(Stage *stage);
-/* Gives each staging folder whose process has ended to `finish`, and removes those that it accepts.
- * The first reason that `finish` returns is the result. */
+/* Calls `finish` for each staging folder whose process has ended, and removes the folder if
+ * `finish` returns NULL. Stops at the first fault that `finish` returns, and returns it. */
 const char *stage_each_abandoned(int folder, const char *(*finish)(const Stage *stage));
 
-/* Hashes a file's bytes. 0, or errno: EINVAL if it is no regular file. Follows no link. */
+/* Hashes a file's bytes without following a link. Returns 0 or errno, EINVAL for no regular
+ * file. */
 int stage_hash(int folder, const char *name, Key *hash);
 #endif

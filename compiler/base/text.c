@@ -59,7 +59,8 @@ void text_int(Text *text, long value)
     text_add(text, at, (size_t)(end - at));
 }
 
-/* Strings and ints, which most formats have alone, need no printf; it takes a thousand instructions to begin. */
+/* The format uses only %s, %d and %%, as most do: put_plain() then replaces printf, which costs a
+ * thousand instructions a call. */
 static bool is_plain(const char *format)
 {
     for (const char *at = strchr(format, '%'); at; at = strchr(at + 2, '%'))
@@ -74,7 +75,7 @@ static void put_plain(Text *text, const char *format, va_list args)
         text_add(text, format, (size_t)(at - format));
         const char *string = at[1] == 's' ? va_arg(args, const char *) : NULL;
         if (at[1] == 's')
-            text_put(text, string ? string : "(null)"); /* as printf has it */
+            text_put(text, string ? string : "(null)"); /* as printf prints NULL */
         else if (at[1] == 'd')
             text_int(text, va_arg(args, int));
         else

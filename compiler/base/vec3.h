@@ -1,8 +1,8 @@
-/* Vectors of three doubles. Sums are taken in the order x, y, z, so that results are the same to the
- * bit wherever they are computed.
+/* Vectors of three doubles. Sums are taken in the order x, y, z, so that results are the same to
+ * the bit wherever they are computed.
  *
- *     vec3_cross(x, y, z)      z = x times y; z may be x or y
- *     vec3_length(v)           the root of v . v; vec3_normalize divides by one that cannot overflow */
+ *     vec3_cross(x, y, z)      z = x cross y; z may be x or y
+ *     vec3_length(v)           sqrt(v . v); overflows beyond 1e154, vec3_normalize does not */
 #ifndef MATC_VEC3_H
 #define MATC_VEC3_H
 #include <math.h>
@@ -23,7 +23,7 @@ static inline void vec3_cross(const double a[3], const double b[3], double resul
     memcpy(result, cross, sizeof cross);
 }
 
-/* False: the vector has no length, or one that is not finite; it stays as it is. */
+/* Returns false and leaves the vector unchanged if its length is 0 or not finite. */
 static inline bool vec3_normalize(double v[3])
 {
     const double length = hypot(hypot(v[0], v[1]), v[2]);

@@ -18,7 +18,7 @@ typedef struct {
     Block *blocks;
     size_t block_count, block_room;
     bool regions; /* there are some */
-    bool derives; /* there are implicit derivatives */
+    bool derives; /* the program has implicit derivatives */
     uint8_t *hoisted; /* by Ref: an implicit derivative that gets a statement, or it would stand in a
                          condition; NULL: there is none */
     int *block;     /* by Ref: where it lies */

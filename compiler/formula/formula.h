@@ -65,7 +65,7 @@ typedef struct {
     uint32_t size;
     bool srgb; /* colours of it are */
     void *user;
-    /* Receives each hex color and its lanes, before `srgb` decodes them; NULL: nobody does. */
+    /* Called for each hex color with its components before `srgb` decodes them; or NULL. */
     void (*color)(void *user, uint32_t start, uint32_t end, const double *lanes);
     /* Where bytes of the text stand in the source. */
     Span (*span)(void *user, uint32_t start, uint32_t end);

@@ -131,7 +131,7 @@ void formula_say_other(FormulaReader *r)
     diag_add(r->session, formula_token_span(r), DIAG_formula_other, formula_token_text(r->s, r->token), hint);
 }
 
-/* -- Letters behind numbers, decimal commas, `return` */
+/* -- Letters after numbers, decimal commas, `return` */
 
 static bool is_suffix_of_c(const char *letters)
 {
@@ -142,14 +142,14 @@ static bool is_suffix_of_c(const char *letters)
     return false;
 }
 
-/* The number that ends right before the token; NULL: there is none. */
+/* The number that ends directly before the token, or NULL. */
 static const FormulaStep *number_before(const FormulaReader *r)
 {
     const FormulaStep *step = r->operand_count ? &r->f->steps[r->operands[r->operand_count - 1]] : NULL;
     return step && step->kind == FORMULA_number && step->end > step->start && step->end == r->token.start ? step : NULL;
 }
 
-/* What to write instead of "2u", "45deg", "0.5f", "0x1F". */
+/* Advice on what to write instead of "2u", "45deg", "0.5f", "0x1F". */
 static const char *without_suffix(const FormulaReader *r, const FormulaStep *number, const char *letters)
 {
     const int digits = (int)(number->end - number->start);

@@ -54,11 +54,13 @@ static inline bool formula_is_large(const FormulaReader *r)
     const char c = r->s->text[r->token.start];
     return r->token.kind == TOKEN_other && (text_is_digit(c) || c == '.');
 }
-/* Reports letters right behind a number, 0.5f, 2u, 45deg, and passes over them. False: there are none. */
+/* Reports and skips letters that directly follow a number, as in 0.5f, 2u, 45deg. Returns false if
+ * there are none. */
 bool formula_read_suffix(FormulaReader *r);
-/* Reports the ',' that stands next if it is that of 0,5, and passes over it. False: it is another. */
+/* Reports and skips the next token if it is a decimal comma, as in 0,5. Returns false for another
+ * comma. */
 bool formula_say_decimal(FormulaReader *r);
-/* Reports `return` at the beginning of a part, and passes over it. */
+/* Reports and skips `return` at the beginning of a part. */
 void formula_pass_return(FormulaReader *r);
 /* Goes on behind it; behind a comment of another language, at the next line. */
 void formula_pass_other(FormulaReader *r);

@@ -34,12 +34,13 @@ const char *hint_shipped(Session *session, const char *name);
 const LibraryName *hint_library_name(const char *name);
 /* A hint for a definition in the place of a kind, `map: rust`, also of one that the document has. hint_library.c */
 const char *hint_definition(Resolver *r, const char *name);
-/* `n = fbm(p)` in the place of names and their values, as a text or as a key of an object. hint_assigned.c */
+/* Reports `n = fbm(p)`, as a text or as a key, where `n: ...` is wanted. hint_assigned.c */
 bool hint_assigned(Session *session, const Tree *tree);
-/* "; ...": of a document without a material, by keys that belong into one. hint_assigned.c */
+/* "; ...": advice for a document without a material, from those of its keys that belong to one; or
+ * "". hint_assigned.c */
 const char *hint_no_material(Session *session, const Tree *document);
-/* A Windows path in double quotes, whose backslashes are escapes that YAML knows: "C:\\new\\bricks.png".
- * hint_assigned.c */
+/* Reports a Windows path in double quotes, "C:\new\bricks.png", where YAML reads \n and \b as
+ * escapes. hint_assigned.c */
 bool hint_backslash(Session *session, Span span);
 /* A map or a material as an item of a list. */
 bool hint_listed(Session *session, const Tree *list);

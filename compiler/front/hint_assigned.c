@@ -1,5 +1,5 @@
-/* Texts that YAML takes, and that mean something else than they look like: `n = value` for `n: value`, and paths of
- * Windows in double quotes; and documents whose material stands in no `material:`. */
+/* Hints for text that is valid YAML but does not mean what its author wants: `n = value` in place
+ * of `n: value`, Windows paths in double quotes, documents without `material:`. */
 #include "compiler/base/text.h"
 #include "compiler/front/hint.h"
 #include <string.h>
@@ -14,7 +14,8 @@ static size_t word_size(const char *text)
     return text_is_letter(*text) || *text == '_' ? size : 0;
 }
 
-/* A formula stands in quotes behind a '='; numbers, colors and other words stand as they are. */
+/* The value as a document writes it: a formula in quotes after '=', a color in quotes, a number or
+ * a word unchanged. */
 static const char *written_value(Session *session, const char *value, size_t size)
 {
     Text text = text_new(session->arena);
@@ -25,7 +26,8 @@ static const char *written_value(Session *session, const char *value, size_t siz
     return text.at;
 }
 
-/* The first line of "n = fbm(p, 3)", whose span begins there. */
+/* Reports "n = fbm(p, 3)" and its correction, which ends with the line. Returns false for other
+ * text. */
 static bool assigned(Session *session, Span span, const char *text)
 {
     const size_t name = word_size(text), space = strspn(text + name, " ");

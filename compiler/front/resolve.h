@@ -11,7 +11,8 @@ typedef struct {
     Value *colorspace, *texels;
 } UndecidedPicture;
 
-/* What the `colors:` line of a file says: without one, hex colours are linear light, and authors are advised to say so. */
+/* The `colors:` line of a file. Undeclared: hex colors are linear light, and the author is advised
+ * to add a line. */
 typedef enum { FILE_COLORS_undeclared, FILE_COLORS_linear, FILE_COLORS_srgb } FileColors;
 
 /* What uses of definitions with parameters stand for. resolve_definition.c */
@@ -22,7 +23,7 @@ typedef struct {
     Session *session;
     Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     size_t def_count, def_room;
-    bool lacks_file; /* an include or `defs:` could not be read, which was said: what it should define is not asked for again */
+    bool lacks_file; /* a failed include or `defs:` was reported: unknown names may be defined there */
     Uniform **uniforms;
     size_t uniform_count, uniform_room;
     Names uniform_names;
@@ -36,7 +37,7 @@ typedef struct {
     Names broken_paths;   /* of pictures that cannot be had, and what is wrong with them */
     const char **broken;
     size_t broken_room;
-    unsigned char *file_colors; /* FileColors by source; undeclared beyond the room */
+    unsigned char *file_colors; /* FileColors by source; undeclared for sources outside the array */
     size_t file_color_room;
     UndecidedPicture *undecided;
     size_t undecided_count, undecided_room;
@@ -106,7 +107,8 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value);
 bool resolve_color_space(Resolver *r, const Tree *document);
 /* What stands in that source is sRGB where nothing else is said. */
 bool resolve_is_srgb(const Resolver *r, uint32_t file);
-/* Advises, once for each file without `colors:`, about a hex color that stands there, "#ff8800" with these lanes. */
+/* Advises about a hex color such as "#ff8800", whose components are `lanes`, if its file has no
+ * `colors:` line; once for each file. */
 void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *lanes);
 /* NULL for null. resolve_wave.c */
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);

@@ -7,7 +7,7 @@
 #include "compiler/base/warnings.h"
 #include <string.h>
 
-enum { ADVISED_DIGITS = 3 }; /* behind the point of a number in advice */
+enum { ADVISED_DIGITS = 3 }; /* decimals of the numbers in advice */
 
 static const char *const space_names[] = {"linear", "srgb"};
 
@@ -39,7 +39,7 @@ bool resolve_color_space(Resolver *r, const Tree *document)
 
 /* -- Advice about hex colors without `colors:` */
 
-/* Lanes of 0 and 1 are the same light in both spaces. */
+/* All components are 0 or 1, which mean the same light in sRGB and linearly. */
 static bool is_pure(const double *lanes)
 {
     bool pure = true;

@@ -45,7 +45,7 @@ static void name_defs(const Tree *defs)
         defs->members[i].value->name = defs->members[i].key;
 }
 
-/* Names and their values; false: something else, which is reported. */
+/* `defs:` is an object of names and values. Returns false and reports it if it is not. */
 static bool check_defs_form(Resolver *r, const Tree *defs)
 {
     if (hint_assigned(r->session, defs))

@@ -167,7 +167,8 @@ static void put_library(FILE *out, const File *files, int count)
 
 /* -- layouts */
 
-/* Declares the layout that a line includes; 0: there is no such, or a row is wrong. */
+/* Writes the GLSL declarations of the layout that a line includes. Returns 0 if there is no such
+ * layout or it has a wrong row. */
 static int put_layout(FILE *out, const char *line, const File *files, int count)
 {
     const char *name = line + sizeof "#include \"" - 1;
@@ -181,7 +182,7 @@ static int put_layout(FILE *out, const char *line, const File *files, int count)
     return 0;
 }
 
-/* A text, each #include of a layout replaced; NULL: one cannot be. */
+/* The file's text with each #include of a layout replaced; NULL if one cannot be. */
 static char *with_layouts(const File *file, const File *files, int count)
 {
     char *text = NULL;
@@ -242,7 +243,7 @@ static char *header_text(const char *symbol, const File *files, int count)
     return fclose(out) ? NULL : text;
 }
 
-/* Leaves a file alone that has this text already, so that nothing that includes it is compiled again. */
+/* Does not rewrite a file that already has this text, so that its users are not compiled again. */
 static int write_if_changed(const char *path, const char *text)
 {
     char *had = read_all(path);

@@ -12,9 +12,9 @@ typedef struct {
 typedef struct {
     const char *file;
     char c_prefix[NAME], glsl_prefix[NAME], type[NAME];
-    Known known[ROWS_MAX]; /* of the whole file */
-    int known_count, at;   /* words so far */
-    int open;              /* an enum was begun */
+    Known known[ROWS_MAX]; /* names of the whole file */
+    int known_count, at;   /* at: words so far */
+    int open;              /* an enum has been opened */
 } Layout;
 
 typedef struct {
@@ -31,7 +31,8 @@ int layout_text_is(const char *path)
     return size > sizeof suffix - 1 && !strcmp(path + size - (sizeof suffix - 1), suffix);
 }
 
-/* Copies up to one of the characters `ends`, which is passed over; 0: there is none, or no room. */
+/* Copies text up to one of the characters `ends` and skips that. Returns 0 if there is none, or the
+ * text does not fit. */
 static int take(const char **at, const char *ends, char *to, size_t room)
 {
     *at += strspn(*at, " ");
@@ -60,7 +61,7 @@ static int find_value(const Layout *layout, const char *word, size_t size, int *
     return 0;
 }
 
-/* "4 * LIGHTS_MOST + 2": words and operators in turn. */
+/* Evaluates a sum of products such as "4 * LIGHTS_MOST + 2". Returns 0 for an unknown name. */
 static int evaluate(const Layout *layout, const char *text, int *result)
 {
     int sum = 0, product = 1, value;
@@ -140,7 +141,7 @@ static void write_glsl(FILE *out, Layout *layout, const Row *row)
     fprintf(out, *row->doc ? "; // %s\n" : ";\n", row->doc);
 }
 
-/* Lines that begin with a capital are rows; the others are comments. */
+/* Lines that begin with a capital letter are rows; all others are comments. */
 static int write_rows(FILE *out, Layout *layout, const char *text, Write write)
 {
     char line[LINE];

@@ -46,7 +46,7 @@ static uint32_t mix_hash(uint32_t hash, uint32_t word)
     return hash ^ hash >> 15;
 }
 
-/* By their bits, as they are compared: -0 is another number than 0. */
+/* Hashes the bits of the numbers, which are also compared by their bits: -0 differs from 0. */
 static uint32_t hash_numbers(uint32_t hash, const double *numbers, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -189,7 +189,7 @@ Ref ir_const(Ir *ir, Type type, const double *numbers)
     }
     node.payload = (uint32_t)ir->number_count;
     node.origin = ir->origin;
-    for (int i = 0; i < lanes; i++) /* they may lie in the list that grows: an arena leaves the old one as it is */
+    for (int i = 0; i < lanes; i++) /* `numbers` may point into ir->numbers, whose old array the arena keeps */
         ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, numbers[i]);
     return add_node(ir, &node, at);
 }

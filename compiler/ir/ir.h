@@ -167,8 +167,8 @@ typedef struct Ir {
 } Ir;
 
 Ir *ir_new(Session *session, const Graph *graph);
-/* An IR with the same nodes, functions, textures and constants, and no outputs yet, in the session's arena. What is added to
- * it does not show in the first one. ir_fork.c */
+/* Copies an IR, without its outputs, into the session's arena. Nodes that are added to the copy do
+ * not appear in the original. ir_fork.c */
 Ir *ir_fork(const Ir *ir, Session *session);
 /* Gives back what passes worked with; the IR itself stays. */
 void ir_done(Ir *ir);

@@ -1,7 +1,9 @@
-/* A copy of an IR that goes its own way: nodes that both programs need are made once.
+/* Forks an IR: a copy to which nodes can be added without a change of the original. A second
+ * program that shares most of its nodes with the first is built in the fork.
  *
- *     the first program is mix(black, white, mean); its fork asks for the point: select(point, white, black)
- *     black and white are found in the fork, mean stays in it without a user, and the first program knows no point */
+ *     original                           mix(black, white, mean)
+ *     added to the fork                  select(point, white, black), which finds black and white
+ *     left unused in the fork            mean */
 #include "compiler/ir/ir.h"
 
 #define COPY(list, count, room) \

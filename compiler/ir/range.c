@@ -55,7 +55,7 @@ static SeenLane *seen_slot(const Ranges *r, Ref ref, int lane)
     return &r->seen->slots[(ref * 4 + (Ref)lane) % SEEN_SLOTS];
 }
 
-/* Of a sampler, too, which has no lane, something is said. */
+/* Number of intervals of a node: one for each component, and one for a sampler, which has none. */
 static int lanes_of(const Ir *ir, Ref ref) { return ir_lanes(ir, ref) ? ir_lanes(ir, ref) : 1; }
 
 /* Of a node that is made of guarded ones, as its operands are where the guards hold. */
@@ -86,7 +86,7 @@ Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
     const Guards *guards = r->guards;
     Interval kept = range_kept(r, ref, lane);
     bool guarded = false;
-    lane = r->place[ref].by_lane ? lane : 0; /* a number has one interval, whichever lane asks for it */
+    lane = r->place[ref].by_lane ? lane : 0; /* a node with one interval for all components */
     for (int i = 0; i < guards->count; i++)
         if (guards->at[i].ref == ref) {
             kept = both(kept, guards->at[i].within);
@@ -115,13 +115,13 @@ static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *va
     return right || ir_is(ir, a, OP_const);
 }
 
-/* All lanes of an arm, where its side holds. */
+/* Intervals of all components of a select's arm, given its side of the condition. */
 static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval found[MOST_LANES])
 {
     const Interval none = {INFINITY, -INFINITY};
     const int lanes = lanes_of(ir, arm);
     side.within = both(range_of(r, ir, side.ref, 0), side.within);
-    if (is_empty(side.within)) { /* it is never taken */
+    if (is_empty(side.within)) { /* the arm is never taken */
         for (int lane = 0; lane < lanes; lane++)
             found[lane] = none;
         return;
@@ -139,7 +139,7 @@ static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval foun
     guards->set = set;
 }
 
-/* Where nothing is known of the condition, or guards are not for this kind of interval. */
+/* Union of both arms, for a condition that is no comparison with a constant, or too many guards. */
 static Interval select_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     return hull(range_of(r, ir, ir_arg(ir, ref, 1), lane), range_of(r, ir, ir_arg(ir, ref, 2), lane));
@@ -156,7 +156,7 @@ void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *f
             found[lane] = select_range(r, ir, ref, lane);
         return;
     }
-    Guards own; /* its list is not cleared: a program has many selects, and most have one guard */
+    Guards own; /* uninitialized: programs have many selects, and most need one guard */
     Ranges with = *r;
     if (!r->guards) {
         own.count = own.depth = 0;

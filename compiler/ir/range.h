@@ -17,7 +17,7 @@ typedef struct Ranges {
     Ref count;             /* of nodes when they were found last */
     int lanes;             /* 1: one for all lanes of a node; FIELD_LANES: one a lane */
     struct Guards *guards; /* under way: range.c */
-    uint64_t guarded;      /* marks of the nodes that they hold for; 0: there are none */
+    uint64_t guarded;      /* marks of the nodes that the guards compare; 0: no guards */
     struct Seen *seen;     /* while they hold; NULL: there are none */
     uint64_t *marks;       /* by Ref: of what conditions compare, what this node is made of; range_mark. NULL: likewise */
 } Ranges;
@@ -39,8 +39,9 @@ static inline Interval range_kept(const Ranges *r, Ref ref, int lane)
     return !place.first ? everything : r->of[place.first + (place.by_lane ? (uint32_t)lane : 0)];
 }
 Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane);
-/* Interval of one component, or of their union if only that is stored. A node that was made since may be anything. Guards
- * matter to the nodes that are made of guarded ones, which few operands are. */
+/* Interval of one component, or of their union if only that is stored. A node that is newer than
+ * the ranges has the interval of all numbers. Only nodes that depend on a guarded node look at the
+ * guards. */
 static inline Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const bool guarded = r->guarded && ref < r->count && r->marks[ref] & r->guarded;
@@ -50,7 +51,8 @@ static inline Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane
 static inline uint64_t range_mark(Ref ref) { return 1ull << (ref & 63); }
 /* Nothing was found yet while guards held. */
 struct Seen *range_seen_new(Arena *arena);
-/* Intervals of all components of a select at once, where each has its own: they share its guards. */
+/* Intervals of the `lanes` components of a select. They share its guards, so all are found
+ * together. */
 void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *found);
 /* That which follows from the operands' by the node's operation. */
 Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane);

@@ -40,14 +40,14 @@ int layout_bytes(const LayoutRow *row); /* of a pixel */
 bool layout_has_words(const LayoutRow *row);
 /* What all materials of a case have the same of; NULL: it is stored, or absent. */
 const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot);
-/* The slots that reading the layout gives back, a bit each: any case stores them, or they are fixed. */
+/* Slots that unpacking the layout yields, a bit each: some case stores them, or they are fixed. */
 unsigned layout_slots(const LayoutRow *row);
-/* One of them. */
+/* Whether unpacking the layout yields the slot. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
 /* At least a lane of it is stored by that case; a bit for each such slot. */
 bool layout_case_has_slot(const CaseRow *row, Slot slot);
 unsigned layout_case_slots(const CaseRow *row);
-/* Those of layout_slots that are the same for all materials. */
+/* The slots of layout_slots() that are the same for all materials. */
 unsigned layout_fixed_slots(const LayoutRow *row);
 /* A case stores every slot of the layout that is not fixed, so that every material has one. Where none does, what changes
  * nothing need not be stored. */

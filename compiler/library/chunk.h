@@ -10,7 +10,7 @@ typedef struct {
     bool sampler;
 } ChunkUniform;
 
-/* An embedded GLSL file of runtime/. Made by compiler/gen/embed.c. */
+/* An embedded GLSL file of compiler/library/. Made by compiler/gen/embed.c. */
 typedef struct {
     const char *name;  /* "wood", "lattice.groimp.110" */
     const char *needs; /* names, a space between */

@@ -25,9 +25,9 @@
 
 enum {
     FREE_COST = 200, /* operations that a pixel has the time for anyway: 234 were measured to take none */
-    MEAN_COST = 30,         /* operations of a mean, about: a Checker's has 32 more than its point */
-    LARGEST_GUESSED = 1000, /* by the tables; nothing is guessed of a program that costs more */
-    MOST_SLOW = 2           /* guesses after each other that may leave more than half */
+    MEAN_COST = 30,         /* estimated operations that a mean adds: 32 for a Checker */
+    LARGEST_GUESSED = 1000, /* estimated operations of a program above which no guess is made */
+    MOST_SLOW = 2           /* consecutive guesses that may leave more than half of the range */
 };
 static const double SURELY = 1.1, SURELY_MINGLED = 3; /* times what is left, by a mean's price: it does not fit */
 static const double most_growth = 1.1, most_growth_of_plane = 2;
@@ -158,7 +158,8 @@ static double most_beside(const LowerRequest *what, int plain)
     return growth * (plain > FREE_COST ? plain : FREE_COST);
 }
 
-/* What the tables say of the means of all maps: they may be free, or cost less than a tenth of the rest. */
+/* Estimate from the cost tables: the means of all maps are free, fit into a tenth of the rest, or
+ * are too many. */
 typedef enum { GUESS_many, GUESS_free, GUESS_fit } Guess;
 
 static Guess guess_by_tables(const Node *material)
@@ -171,12 +172,12 @@ static Guess guess_by_tables(const Node *material)
     return whole && costs.averageable * MEAN_COST <= left ? GUESS_fit : GUESS_many;
 }
 
-/* Whether a program with all means is the one to take. False: only a program of points can tell, or is the one itself. */
+/* The program with all means is within the budget. False: the program without means decides. */
 static bool surely_fits(const LowerRequest *what, const Trial *all, Guess guess)
 {
     if (!all->ir || !all->seen.count || fits(all, most_beside(what, 0)))
         return all->ir != NULL;
-    const bool own_slopes = all->seen.mingled || lower_displaced(what->material); /* what else asks for slopes finds them */
+    const bool own_slopes = all->seen.mingled || lower_displaced(what->material); /* slopes exist without means, too */
     if (guess != GUESS_fit || own_slopes)
         return false;
     const int plain = lower_cost_of_points(&all->lower, what->material);
@@ -214,7 +215,8 @@ static Trial *beside_points(const LowerRequest *what, Trial trials[2], double co
     return most_that_fit(what, trials, most, b, prices.ends);
 }
 
-/* The one to take where points are made, and two maps that do not fit together: the first is tried for less than its price. */
+/* Chooses between the program without means and one that averages the first of two maps, which do
+ * not fit together. Lowering that program costs less than finding the price of a mean. */
 static Trial *first_of_two(const LowerRequest *what, Trial trials[2])
 {
     Trial *one = &trials[0], *plain = &trials[1];

@@ -4,8 +4,8 @@
 #include <string.h>
 
 enum {
-    LEAST_ARM = 40, /* scalar operations of a map from which on a choice of it may be a branch */
-    FIRST_MEMO = 32 /* slots of the first table of answers; a small document needs no more */
+    LEAST_ARM = 40, /* minimum scalar operations of a map for which a choice may become a branch */
+    FIRST_MEMO = 32 /* initial capacity of the memo table, enough for a small document */
 };
 
 typedef Answer (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
@@ -150,7 +150,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
         return relief_smooth(l, map, group, env);
     uint64_t key = ((uint64_t)(2 * env->number + env->relief) << 32 | (uint64_t)map->index) * GROUP_COUNT + group + 1;
     Memo *memo = memo_find(l, key);
-    if (memo->key && (l->averaged_below || !memo->averaged)) { /* points beside means take no mean */
+    if (memo->key && (l->averaged_below || !memo->averaged)) { /* without means: only values without a mean */
         l->averaged |= memo->averaged;
         return memo->answer;
     }
@@ -164,7 +164,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     const Node *above = l->map;
     l->ir->origin = ir_origin(l->ir, map);
     l->map = map;
-    const bool beside = l->averaged; /* maps that were asked before */
+    const bool beside = l->averaged; /* of maps that were lowered before */
     if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind) && !l->filters)
         note_averageable(l, map, group, env);
     l->averaged = l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_is_filtered(l);

@@ -36,15 +36,15 @@ typedef struct Split {
 typedef struct {
     uint64_t key; /* node, group, environment; 0 is empty */
     Answer answer;
-    bool averaged; /* a mean over the pixel is part of it, of this map or one below */
+    bool averaged; /* this map or one below it was averaged over the pixel */
 } Memo;
 
-/* What lower_slot answered last for a slot. */
+/* The last result of lower_slot for a slot. */
 typedef struct {
     const Node *material;
     int number;    /* of its environment */
     bool averaged; /* as in Memo */
-    Ref value;     /* 0: it was not asked yet */
+    Ref value;     /* 0: not lowered yet */
 } SlotAnswer;
 
 typedef struct {
@@ -96,7 +96,7 @@ typedef struct {
     const Node *map;                /* under way */
     MapList averageable;            /* with --aa=auto; budget.c */
     int averaged_below;             /* of these, maps of a lower index are averaged */
-    bool averaged;                  /* one was, since the map under way was asked */
+    bool averaged;                  /* the map under way, or one below it, was averaged */
     int arms;                       /* under way: maps of a choice that is likely to become a branch */
     bool relief;                    /* under way: a displacement of --derivatives=auto; relief.c */
     Manner outside;                 /* of it */
@@ -115,7 +115,7 @@ typedef struct {
     SlotAnswer asked[SLOT_COUNT];
     struct SlotMemo *slots; /* by node and slot: what mixed materials answered; lower_material.c */
     Affine affine;                   /* affine.c */
-    unsigned layout_slots;           /* what reading the job's layout gives back, a bit for each slot */
+    unsigned layout_slots;           /* layout_slots() of the job's layout */
     uint8_t *uniform_use;            /* by uniform: 1 as a count, 2 as a number */
     const struct Crossing *crossing; /* Blends whose coordinates are to be looked at, the last first; lower_doubt.c */
     const struct Relief *reliefs;    /* displacements whose slopes are, the last first */
@@ -138,8 +138,9 @@ typedef struct {
 } LowerRequest;
 /* The same where --aa=auto averages the maps below an index alone; those that it could average, if wanted. lower_pass.c */
 Ir *lower_averaging(Lower *l, const LowerRequest *what, int below);
-/* Operations of the program without means, once `l` has lowered one with means: what no mean is part of is taken from there.
- * Nothing can be lowered by `l` afterwards. Negative: it failed. lower_pass.c */
+/* Operations of the program without means, after `l` has lowered the program with means: values
+ * that no mean is part of are reused. `l` cannot lower anything afterwards. Negative: failure.
+ * lower_pass.c */
 int lower_cost_of_points(const Lower *l, const Node *material);
 /* A lowering of maps alone, and the environment that its pass begins with. lower_pass.c */
 Lower lower_start(const LowerRequest *what, int optimize);
@@ -149,13 +150,15 @@ Env lower_pass_env(Lower *l);
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
 /* Its value. */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
-/* The same of a map that is one of several to choose from: its evaluation may become a branch's. */
-/* What evaluating a map or material costs by the tables, up to `limit`, and how many maps of it may be averaged. */
+/* Estimate from the cost tables: operations of a map or material without means, counted up to
+ * `limit`, and the number of its maps that may be averaged. */
 typedef struct {
     int points, averageable;
 } MapCosts;
 MapCosts lower_map_costs(const Node *map, int limit);
 bool lower_wants_branch(const Node *map); /* it costs enough to be computed only where it shows */
+/* lower_answer() for a map that is one of several to choose from: its evaluation may move into a
+ * branch. */
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env);
 void lower_mark_head(Ir *ir, Ref value, uint32_t origin);
 /* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */

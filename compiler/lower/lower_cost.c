@@ -1,12 +1,13 @@
-/* What a value costs, as far as it matters. */
+/* Cost of a value up to a limit. */
 #include "compiler/lower/lower.h"
 
-/* Left to right, operands behind their users. What has no cost of its own, lanes and vectors of them, may be met without end
- * where it is shared: a value of more than MOST_MET nodes is costly. */
+/* Visits a value's nodes breadth-first and adds up their cost, stopping at `limit`. A shared node
+ * counts once for each user, and nodes without a cost (components, vectors) could multiply without
+ * end, so a value with more than MOST_MET visits counts as costing `limit`. */
 int lower_cost_below(const Ir *ir, Ref ref, int limit)
 {
     enum { MOST_MET = 1024 };
-    Ref met[MOST_MET + UINT8_MAX]; /* not cleared: most values are cheap, or met their limit soon */
+    Ref met[MOST_MET + UINT8_MAX]; /* uninitialized: most values reach the limit early */
     int cost = 0;
     met[0] = ref;
     for (int from = 0, count = 1; from < count && cost < limit; from++) {

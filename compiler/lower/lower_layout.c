@@ -175,7 +175,7 @@ static bool is_lost(Lower *l, const CaseRow *of, const Node *material, Slot slot
 /* Slots that any case of the layout stores. */
 static unsigned stored_slots(const Lower *l) { return l->layout_slots & ~layout_fixed_slots(l->job->layout); }
 
-/* Slots among `stored`, those of the whole layout, that this case of it loses. */
+/* Slots of `stored`, which some case stores, that this case loses. */
 static unsigned lost_slots(Lower *l, int number, unsigned stored, const Node *material, const Env *env)
 {
     const CaseRow *of = &l->job->layout->cases[number];

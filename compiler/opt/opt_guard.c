@@ -11,7 +11,7 @@
 
 enum {
     WORTH_A_BRANCH = 40, /* scalar operations */
-    MOOT = 2,            /* payload of a guard that goes; it keeps its hash, since no guard is made any more */
+    MOOT = 2,            /* payload of a dead guard; its hash is not updated: no more guards are created */
 };
 
 typedef struct {

@@ -123,7 +123,8 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
         tu[i] = slid_u[i] + up_u * unit;
         tv[i] = slid_v[i] + up_v * unit;
     }
-    /* The product of the new tangents leaves out n x n, which is 0 but noise on steep slopes. */
+    /* The cross product of the new tangents omits n x n, which is 0, but rounds to noise on steep
+     * slopes. */
     vec3_cross(slid_u, slid_v, flat);
     vec3_cross(n, across, lifted);
     for (int i = 0; i < 3; i++)

@@ -37,7 +37,7 @@ static void show_measuring(void *user, int done, int total)
     arena_free(&arena);
 }
 
-/* What is measured. */
+/* The variants to measure. */
 static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material, Shown *shown)
 {
     return (ParetoSubject){document,
@@ -185,7 +185,8 @@ static int write_tree(const CommandLine *line, MatcDocument *document)
     return why ? main_complain(line, path, why) : FINE;
 }
 
-/* The options of the command line, and advice, which libraries and batches are spared; -Wno-linear_colors comes later. */
+/* The options of the command line with advice turned on, which is off in the library and in
+ * batches. A -Wno-linear_colors follows it, so it still counts. */
 static MatcOptions with_advice(const CommandLine *line, Arena *arena)
 {
     MatcOptions options = line->compile;

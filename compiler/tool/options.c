@@ -50,7 +50,7 @@ static const char *gl_name(const void *user, int i)
 static const char *set_choice(void *to, const Option *option, const char *value)
 {
     CommandLine *line = to;
-    choice_set(&line->compile, option->name + 2, value); /* options_check looks at it */
+    choice_set(&line->compile, option->name + 2, value); /* options_check validates it */
     return NULL;
 }
 
@@ -100,7 +100,7 @@ static void add_input(CommandLine *line, const char *path)
     line->inputs[line->input_count++] = path;
 }
 
-/* Reads "@FILE": documents, a path a line. */
+/* Reads "@FILE", a list of documents with one path a line. */
 static const char *read_list(CommandLine *line, const char *path)
 {
     size_t size;
@@ -143,7 +143,7 @@ static void put_name(Text *out, bool first, const char *name, bool is_default)
     text_format(out, "%s%s%s", first ? "" : ", ", name, is_default ? " (default)" : "");
 }
 
-/* The target whose default the layout is, but for the default target; NULL: it is none's. */
+/* The target, except the default one, whose default is this layout; or NULL. */
 static const char *default_of(int layout)
 {
     for (int i = 0; i < TARGET_COUNT; i++)
@@ -152,7 +152,7 @@ static const char *default_of(int layout)
     return NULL;
 }
 
-/* The default, then those of other targets, then the rest. */
+/* Layouts: the default one, the defaults of other targets, all others. */
 static void put_layouts(Text *out)
 {
     const int first = target_table[TARGET_DEFAULT].layout;

@@ -86,6 +86,6 @@ const char *options_suffix(CommandLine *line);
 unsigned options_emit_outputs(const MatcOptions *options, int emit);
 const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program, size_t *size);
 const char *options_emit_suffix(const MatcOptions *options, int emit);
-/* What --help prints; in the arena. */
+/* The text of --help, in the arena. */
 const char *options_help(Arena *arena);
 #endif

@@ -4,7 +4,7 @@
 #include "compiler/base/option.h"
 #include "compiler/tool/options.h"
 
-/* The values of an option ("--aa") that matc_options_set takes, and those that the program takes beyond. */
+/* The values of an option such as "--aa", from matc_options_set or from the program itself. */
 bool options_values(const char *option, NameChoice *values);
 /* Names that --explain knows, and kinds that --list knows. */
 const char *options_fault_explain(Arena *arena, const char *name);

@@ -17,8 +17,9 @@ typedef struct {
 
 /* `zero_to_one`: the driver has glClipControl. */
 void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one, ViewSpace *made);
-/* The same for the sky's program, which takes the direction of view from clip space: where rays are
- * parallel their depth grows away from the eye, since w does not tell that it is reversed. */
+/* view_space_make()'s matrices for the sky's program, which derives the view direction from clip
+ * space. An orthographic camera gets increasing instead of reversed depth: w is constant there, so
+ * the program could not see that depth is reversed. */
 Spaces view_space_of_sky(const ViewSpace *space);
 /* Pixels count from that one of the picture from now on. Exact: the rays of a tile are those of the picture. */
 void view_space_place(ViewSpace *space, const int size[2], const int at[2]);

@@ -34,7 +34,7 @@ layout(std430, binding = 1) coherent buffer BisectLeaves {
 layout(std430, binding = 2) coherent buffer BisectTable {
     uint bisect_table[];
 };
-// The state block, and lists of LIST_DUE times as many words as there is room for leaves.
+// The state block, LIST_DUE lists of a word for each place of a leaf, and a float for each tile.
 layout(std430, binding = 3) coherent buffer BisectWork {
     uint bisect_work[];
 };
@@ -55,7 +55,7 @@ uniform int bisect_coarse;      // triangles of less depth are bisected, whateve
 #include "bisection.layout.def"
 const uint BISECT_NONE = 0xFFFFFFFFu;
 const int BISECT_WHOLE = 65536; // weights of a corner sum up to so many
-// A single workgroup that does all rounds has a copy of the state block up to its lights.
+// A single workgroup that runs all rounds keeps the state block before LIGHT in shared memory.
 const uint BISECT_COUNTS = LIGHT;
 #ifdef BISECT_FEW
 shared uint bisect_head[BISECT_COUNTS];
@@ -63,7 +63,7 @@ shared uint bisect_head[BISECT_COUNTS];
 #define bisect_head bisect_work
 #endif
 #ifdef BISECT_WIDE // to look at more than need be costs a device less than to choose more finely
-const uint BISECT_TILE = BISECT_TILE_MANY, BISECT_LOOK_TILES = 16u; // of places; of a group that looks
+const uint BISECT_TILE = BISECT_TILE_MANY, BISECT_LOOK_TILES = 16u; // places of a tile; tiles of a workgroup that evaluates
 #else
 const uint BISECT_TILE = BISECT_TILE_FEW;
 #endif

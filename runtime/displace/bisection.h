@@ -27,7 +27,8 @@ typedef enum {
     BISECTION_STAGES
 } BisectionStage;
 
-/* Lights that cast shadows, the box on what, and how far what shines is from each light's middle, along the axes: as words of the state block. */
+/* Words of the state block: lights that cast shadows (LIGHT), the box of the shadow receivers
+ * (BOX), and the half size of each light along the axes (EXTENT). */
 typedef struct {
     int count;
     float each[BISECTION_LIGHTS_MOST][4], box[2][3], extent[BISECTION_LIGHTS_MOST][3];
@@ -45,7 +46,7 @@ typedef struct {
     double pixels;                          /* that an error could have when all leaves were looked at last; 0: they have to be */
     double gone, entries;                   /* since then: how far the camera has moved, and what came into the table */
     double box[2][3];                       /* around all points, wherever they may move; in the world */
-    GLuint head[BISECTION_STATE_WORDS], head_copy; /* as it was read last; a buffer that it goes through */
+    GLuint head[BISECTION_STATE_WORDS], head_copy; /* the state block as last read; a buffer to read it */
     int splits, merges, looks, looked;      /* of the last view; places that were looked at */
     SceneCamera camera;
     int size[2];

@@ -1,4 +1,4 @@
-/* What exact shadows keep of a scene. */
+/* State of exact shadows for a scene. */
 #ifndef MATC_EXACT_EXACT_STATE_H
 #define MATC_EXACT_EXACT_STATE_H
 #include "runtime/exact/exact_cover.h"
@@ -6,8 +6,8 @@
 
 struct ExactShadows {
     ExactTriangles triangles;
-    ExactCover cover;       /* lists; its programs stay until the renderer goes */
-    bool seen;              /* the target of that name has what the camera sees */
-    GLuint corners, firsts; /* buffers: of triangles; of numbers of objects' first ones, counted from 1 */
+    ExactCover cover;       /* lists; its programs live as long as the renderer */
+    bool seen;              /* the target `seen` is valid for this frame's camera */
+    GLuint corners, firsts; /* buffers: triangles; each object's first, counted from 1 */
 };
 #endif

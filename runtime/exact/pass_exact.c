@@ -177,7 +177,7 @@ bool pass_exact_move(Render *render, int first, int count)
 {
     int range[2];
     if (!render->exact->corners) {
-        render->exact->seen = false; /* facets */
+        render->exact->seen = false; /* triangle ids for silhouettes */
         return true;
     }
     find_range(&render->exact->triangles, (int[]){first, first + count}, range);

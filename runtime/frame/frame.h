@@ -1,5 +1,5 @@
-/* The state of a renderer that every pass sees. Each folder of passes defines its own part of it, which
- * others know by a pointer alone: runtime/render/render_state.h composes them. */
+/* State of a renderer that all passes share. Each folder of passes defines a state of its own,
+ * which is opaque to the others; runtime/render/render_state.h composes them. */
 #ifndef MATC_FRAME_FRAME_H
 #define MATC_FRAME_FRAME_H
 #include "runtime/cache/cache.h"
@@ -17,14 +17,14 @@ typedef struct {
     float lanes[4];
 } RenderParam;
 
-/* What decides by which programs, maps and targets a light is drawn. */
+/* The properties of a light that decide on programs, maps and targets: a change rebuilds them. */
 typedef struct {
     SceneKind kind;
     Word shadows;
     bool both_sides;
 } RenderLight;
 
-/* A view of the picture in which shadow volumes are drawn, or objects as lines. */
+/* A debug view that draws shadow volumes, or objects as lines. */
 typedef enum { VOLUME_VIEW_none, VOLUME_VIEW_faces, VOLUME_VIEW_lines } VolumeViewHow;
 
 typedef struct {
@@ -35,11 +35,11 @@ typedef struct {
 typedef struct FrameLight FrameLight;         /* light/light_state.h */
 typedef struct ShadowMaps ShadowMaps;         /* shadow/shadow_state.h */
 typedef struct ExactShadows ExactShadows;     /* exact/exact_state.h */
-typedef struct FrameVolumes FrameVolumes;     /* as well */
+typedef struct FrameVolumes FrameVolumes;     /* shadow/shadow_state.h */
 typedef struct FrameVoxels FrameVoxels;       /* indirect/indirect_state.h */
-typedef struct FrameRadiance FrameRadiance;   /* as well */
-typedef struct FrameIndirect FrameIndirect;   /* as well */
-typedef struct FramePositions FramePositions; /* as well */
+typedef struct FrameRadiance FrameRadiance;   /* indirect/indirect_state.h */
+typedef struct FrameIndirect FrameIndirect;   /* indirect/indirect_state.h */
+typedef struct FramePositions FramePositions; /* indirect/indirect_state.h */
 typedef struct FramePicture FramePicture;     /* picture/picture_state.h */
 typedef struct FrameGlass FrameGlass;         /* glass/glass_state.h */
 
@@ -85,16 +85,17 @@ struct Render {
     FramePositions *positions;
     FramePicture *picture;
     FrameGlass *glass;
-    bool uncounted;                        /* what passes count is to be counted again, since the scene changed */
-    ScreenPass retired[FRAME_RETIRED_MAX]; /* of the scene before; the next one may share their programs */
+    bool uncounted;                        /* the scene has changed since passes counted: see FrameCount */
+    ScreenPass retired[FRAME_RETIRED_MAX]; /* of the previous scene, for frame_retire() */
     int retired_count;
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
 };
 
-/* Keeps a pass over the screen until the next scene is made, so that equal programs are not compiled again, and empties it. Deletes
- * all that were kept. frame_retired.c */
+/* Moves a screen pass out of *pass and keeps it until the next scene is built, so that a program
+ * that both scenes use is not compiled again. frame_retired.c */
 void frame_retire(Render *render, ScreenPass *pass);
+/* Deletes all retired passes. */
 void frame_retired_delete(Render *render);
 /* Whether the frame has the target. */
 static inline bool frame_has(const Render *render, FrameTarget target)

@@ -1,4 +1,5 @@
-/* Screen passes of the scene before, kept while the next one is made: the store shares programs of equal texts. */
+/* Screen passes of the previous scene, kept while the next scene is built: the store shares
+ * programs of equal text, so those that both scenes use survive. */
 #include "runtime/frame/frame.h"
 
 void frame_retire(Render *render, ScreenPass *pass)

@@ -5,7 +5,7 @@
 #include "runtime/frame/frame_pass.h"
 #include "runtime/glass/glass_state.h"
 
-/* A line on the lists' memory. */
+/* Writes a line about the lists' memory, for --stats. */
 void glass_put_lists(Text *out, const Render *render);
 
 /* The rows of the frame graph. */

@@ -129,7 +129,7 @@ static void pass_lists_delete(Render *render)
     render->glass->lists = (FrameLists){0};
 }
 
-/* Lists would take more than there may be, and are not insisted on. */
+/* Falls back to depth peeling if the lists exceed the memory limit, unless the user chose lists. */
 static bool pass_lists_fall_back(Render *render)
 {
     const char *method = render->options.transparency;

@@ -85,7 +85,7 @@ void indirect_planes_define(const Render *render, char text[INDIRECT_PLANES_DEFI
 void indirect_planes_put(Text *out, const Render *render);
 void indirect_planes_set(const Render *render, ScreenPass *pass);
 void indirect_delete(Render *render);
-/* The view shows the depth buffer as a mesh, from beside. */
+/* The view shows the depth buffer as a mesh, seen from the side. */
 bool pass_positions_is_view(const char *view);
 /* The rows of the frame graph. */
 extern const FramePass pass_positions, pass_rays, pass_history, pass_smooth, pass_spread, pass_combine;

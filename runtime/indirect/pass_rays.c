@@ -192,7 +192,7 @@ static bool pass_rays_moved(Render *render, int first, int count)
     return true;
 }
 
-/* Rays fill the target open themselves where nothing is smoothed. */
+/* Without a denoiser the rays write the target `open` (ambient occlusion) directly. */
 static void pass_rays_request(const Render *render, FramePlanPass *row)
 {
     if (!indirect_is_smoothed(render))

@@ -141,7 +141,7 @@ static void pass_smooth_request(const Render *render, FramePlanPass *row)
     row->reads |= indirect_keeps(render) ? FRAME_BIT(history) : 0;
 }
 
-/* For further bounces it reads what rays read. */
+/* The à-trous denoiser reads the rays for their deviation; a further bounce traces rays itself. */
 static void pass_spread_request(const Render *render, FramePlanPass *row)
 {
     if (is_atrous(render))

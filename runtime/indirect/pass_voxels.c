@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Where rays begin, voxel_map.glsl: by the table of tests/renderer/indirect/test_frame_voxel_open.c. */
+/* Start offsets of rays (voxel_map.glsl). tests/renderer/indirect/test_frame_voxel_open.c has the
+ * table from which they were chosen. */
 #define OFF_BODIES   .5f
 #define OFF_SURFACES .9f
 
@@ -281,7 +282,7 @@ static void pass_voxels_forget_time(Render *render)
     render->radiance->drawn &= !casts && !radiance_by_time(render);
 }
 
-/* Moved objects may be outside the grid, or smaller than a voxel. */
+/* Fits the grid again: moved objects may lie outside it or be smaller than a voxel. */
 static bool pass_voxels_change(Render *render)
 {
     if (!render->voxels->map)

@@ -4,7 +4,8 @@
 #include "runtime/light/light_state.h"
 #include "runtime/frame/frame_pass.h"
 
-/* The sky as a light (light_sky.c): the scene has one that shines; makes render->light->sky, with the cache's sky; tells a pass; binds its map. */
+/* The sky as a light (light_sky.c): whether the scene has a sky that gives light; builds
+ * render->light->sky from the cache's sky; sets a pass's uniforms; binds the map. */
 bool light_sky_shines(const Scene *scene);
 bool light_sky_make(Render *render);
 void light_sky_set(const Render *render, int unit, ScreenPass *pass);
@@ -44,7 +45,8 @@ void light_table_bind(const Render *render, int unit);
 void light_table_delete(Render *render);
 /* Tells it where the tile is, if it is made. */
 void lighting_place(const Render *render, ScreenPass *pass);
-/* If it is made: the camera or lights are others, of which there are as many; objects have moved. */
+/* Update a pass, if it has been built, after a change of the camera or lights (but not of their
+ * number), and after objects moved. */
 bool lighting_changed(Render *render, unsigned what, ScreenPass *pass);
 void lighting_moved(const Render *render, ScreenPass *pass);
 /* Runs it over the light, once for each part of shadows' lists. It reads these targets, and a texture of its own, or 0. */

@@ -1,4 +1,4 @@
-/* The frame graph: the list of passes, and what they are asked in turn. */
+/* The frame graph: the list of passes, and calls of each pass's functions in turn. */
 #include "runtime/glass/glass.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/indirect_motion.h"
@@ -55,7 +55,7 @@ static unsigned wanted(const Render *render)
     return strcmp(view, "shadow") ? FRAME_BIT(gbuffer) : FRAME_BIT(light) | FRAME_BIT(shadow) | kept;
 }
 
-/* What no pass fills is neither read nor changed. */
+/* Drops targets that no allowed pass fills from what passes read and change. */
 static void leave_out(FramePlanPass *rows, unsigned allowed)
 {
     unsigned filled = 0;

@@ -22,8 +22,8 @@ struct MatcRender {
 
 #define DEGREE 0.017453292519943295 /* radians */
 enum {
-    MOST_PLACE = 1 << 20, /* of a rectangle in a framebuffer */
-    MOST_SIDE = 16384     /* of a picture, as of `image:` in scene.def */
+    MOST_PLACE = 1 << 20, /* maximum offset of a rectangle in a framebuffer */
+    MOST_SIDE = 16384     /* maximum side of a picture, the limit of `image:` in scene.def */
 };
 
 static bool is_size(int width, int height)
@@ -111,7 +111,7 @@ static bool has(const MatcRender *r, int number, int count, const char *what)
     return (number >= 0 && number < count) || gl_fail(r->gl, "there is no %s %d", what, number);
 }
 
-/* Numbers that a caller gives are there, and finite. */
+/* A caller's numbers are not NULL and all finite; else sets the context's error. */
 static bool are_finite(const MatcRender *r, const double *numbers, int count, const char *what)
 {
     if (!numbers)

@@ -15,7 +15,7 @@ MatcScene *matc_scene_read(const char *name, const char *text, size_t size, cons
 {
     MatcOptions defaults;
     if (!document)
-        return NULL; /* nobody could free it */
+        return NULL; /* the caller could not free the document */
     MatcScene *made = memory_checked(calloc(1, sizeof *made));
     matc_options_init(&defaults);
     defaults.pixels = true;
@@ -141,7 +141,7 @@ static bool check_counts(MatcScene *s, const MatcMesh *mesh)
            message_fail(s->error, sizeof s->error, "a mesh has up to %d indices, or none", MODEL_INDICES);
 }
 
-/* Positions are checked where the mesh is completed. */
+/* Checks normals and texture coordinates; completing the mesh checks positions. */
 static bool check_attributes(MatcScene *s, const MatcMesh *mesh)
 {
     const float *const lists[] = {mesh->normals, mesh->texcoords};

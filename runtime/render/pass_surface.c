@@ -74,7 +74,8 @@ static void pass_sky_draw(Render *render)
     surface_draw_end(render);
 }
 
-/* Without exact shadows or silhouettes nothing fills the target seen; where nothing is traced, nothing fills traced. */
+/* The target `seen` (triangle ids) is filled only for exact or silhouette shadows, `traced` only
+ * for ray-marched displacement. */
 static void pass_surface_request(const Render *render, FramePlanPass *row)
 {
     row->fills &= ~(facet_lights_seen(render) ? 0 : FRAME_BIT(seen)) & ~(render->cache.tracing ? 0 : FRAME_BIT(traced));

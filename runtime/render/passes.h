@@ -27,12 +27,12 @@ bool frame_make(Render *render);
 /* Counts what there is to do; the scene has changed. */
 bool frame_count(Render *render);
 void frame_draw(Render *render);
-/* Brings the passes up to date, once the cache is: a sum of FrameChange; objects that have moved. */
+/* Update the passes, after the cache, for a set of FrameChange and for moved objects. */
 bool frame_changed(Render *render, unsigned what);
 bool frame_objects_moved(Render *render, int first, int count);
-/* Memory ran out: a pass will take less of it when all is made again. */
+/* After memory ran out: true if some pass will take less memory in a rebuild. */
 bool frame_fall_back(Render *render);
-/* Frees what was made for the scene. */
+/* Frees everything that passes hold for the scene. */
 void frame_clear(Render *render);
 /* Why a pass does not run; NULL: it does. */
 const char *frame_reason(const Render *render, const FramePlanRequest *request, int pass);

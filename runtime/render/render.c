@@ -290,7 +290,7 @@ bool render_changed(Render *render, unsigned what)
         what |= render->cache.displaced_anew ? FRAME_SHAPES : 0;
         render->cache.displaced_anew = false;
     }
-    render->uncounted |= (what & (RENDER_CAMERA | RENDER_TIME)) != 0; /* cut-outs may be others, too */
+    render->uncounted |= (what & (RENDER_CAMERA | RENDER_TIME)) != 0; /* alpha-tested fragments may differ */
     return frame_changed(render, what) && gl_check(render->gl, "changing a scene");
 }
 

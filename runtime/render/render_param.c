@@ -15,7 +15,7 @@ static bool set(Render *render, int material, const MaterialValue *value)
     const bool sheets = shadow_sheet_set(render, material, value);
     const bool nodes = radiance_param(render, material, value);
     indirect_forget(render);
-    indirect_doubt(render, INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness); /* a cut-out may be another */
+    indirect_doubt(render, INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness); /* alpha-tested fragments may differ */
     return cache_set(&source, &render->cache, material, value) || sheets || nodes;
 }
 
@@ -51,7 +51,7 @@ bool render_param(Render *render, int material, const char *name, const float *l
 {
     if (!render->scene)
         return gl_fail(render->gl, "there is no scene to change");
-    render->uncounted = true; /* a cut-out may be another */
+    render->uncounted = true; /* alpha-tested fragments may differ */
     render->shadows->drawn = false;
     pass_voxels_forget(render);
     const MaterialValue value = {name, count, lanes};

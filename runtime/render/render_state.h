@@ -1,4 +1,5 @@
-/* A renderer with the states of all folders of passes: what render_open allocates. */
+/* A renderer and the states of all folders of passes, in the one block that render_open
+ * allocates. */
 #ifndef MATC_RENDER_RENDER_STATE_H
 #define MATC_RENDER_RENDER_STATE_H
 #include "runtime/exact/exact_state.h"

@@ -19,7 +19,7 @@ bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse);
 /* Of the upper left part. */
 double scene_matrix_determinant(const SceneMatrix *m);
 
-/* The scene's names of vec3.h's functions. */
+/* Aliases of functions of vec3.h, under the names that code of scenes uses. */
 #define scene_vector_dot       vec3_dot
 #define scene_vector_cross     vec3_cross
 #define scene_vector_normalize vec3_normalize

@@ -53,7 +53,7 @@ static bool make_solid(Render *render)
     return maps->solid.store || material_make(render->store, NULL, &text, &maps->solid);
 }
 
-/* Draws the maps again, and finds room for their lists. */
+/* Draws the depth maps and allocates their lists of transparent fragments. */
 static bool pass_shadow_count(Render *render)
 {
     if (!shadow_glass_needed(render) || !render->shadows->maps || render->shadows->drawn)
@@ -96,7 +96,7 @@ static void pass_shadow_delete(Render *render)
     *maps = (ShadowMaps){.solid = maps->solid};
 }
 
-/* -- the row; exact shadows share its life */
+/* -- the row, which also updates exact shadows */
 
 static void pass_shadow_place(Render *render)
 {
@@ -107,7 +107,7 @@ static void pass_shadow_place(Render *render)
 static bool pass_shadow_changed(Render *render, unsigned what)
 {
     const bool fitted = what & RENDER_CAMERA && (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
-    if (what & (RENDER_TIME | FRAME_SHAPES)) /* cut-outs may be others */
+    if (what & (RENDER_TIME | FRAME_SHAPES)) /* alpha-tested casters may differ */
         render->shadows->drawn = false;
     return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what);
 }

@@ -188,7 +188,7 @@ static bool pass_volume_make(Render *render)
     return fine;
 }
 
-/* The view is another, or those of lights. */
+/* Updates matrices after a change of the camera's or the lights' views. */
 static void pass_volume_change(Render *render)
 {
     for (int i = 0; i < render->volumes->view_count; i++) {
@@ -301,7 +301,7 @@ static bool pass_volume_changed(Render *render, unsigned what)
     return true;
 }
 
-/* Maps are fitted to what has moved. */
+/* Moved objects change the views to which maps are fitted. */
 static bool pass_volume_moved(Render *render, int first, int count)
 {
     (void)first, (void)count;

@@ -75,7 +75,7 @@ bool facet_lights_write(const Render *render);
 bool facet_lights_cast(const Render *render);
 /* These, or numbers of triangles: there is the target seen. */
 bool facet_lights_seen(const Render *render);
-/* Some light has a view for which a map is drawn. */
+/* Some light has a shadow map. */
 bool shadow_has_maps(const Render *render);
 extern const FramePass pass_shadow;
 #endif

@@ -190,7 +190,7 @@ void shadow_draw_lists(Render *render, const ShadowPart *part)
         use_layer(render, (int)i);
         cut(render->gl, part, i * size);
         render->gl->DepthFunc(
-            render->shadows->views.views[i].hybrid ? GL_ALWAYS : GL_GREATER); /* blurred, it is not where it hides */
+            render->shadows->views.views[i].hybrid ? GL_ALWAYS : GL_GREATER); /* blurred: not the surface */
         cast(render, &source, (int)i, true);
     }
     shadow_glass_end(render);

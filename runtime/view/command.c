@@ -1,4 +1,4 @@
-/* matview's command line: the table of its options, --help, and which options go together. */
+/* matview's command line: the table of its options, --help, and which options exclude others. */
 #include "runtime/view/command.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/option.h"
@@ -13,7 +13,7 @@
 enum { EDGE = 512, CELL = 192, MEMORY_MOST = 1 << 20 };
 enum { TOOL_grid, TOOL_axes, TOOL_lights, TOOL_none }; /* the words of --tools */
 
-/* -- words of the options that take one of a few */
+/* -- words of options that take one of a list */
 
 static const char *shape_word(const void *user, int i)
 {
@@ -50,7 +50,7 @@ static const char *indirect_word(const void *user, int i)
 static const char *set_choice(void *to, const Option *option, const char *value)
 {
     Command *command = to;
-    choice_set(&command->compile, option->name + 2, value); /* command_check looks at it */
+    choice_set(&command->compile, option->name + 2, value); /* command_check validates it */
     return NULL;
 }
 

@@ -24,8 +24,8 @@ typedef struct {
     const char *lights;       /* how many lights are summed */
     const char *emit;         /* --emit=frame */
     bool stats;               /* --stats */
-    bool tools_named[4];      /* which words --tools names; none: it was not given */
-    SceneTools tools;         /* that they ask for */
+    bool tools_named[4];      /* words that --tools names; none: no --tools */
+    SceneTools tools;         /* the tools that these words select */
     bool watch, help, version;
     /* of materials alone */
     PreviewOptions preview;
@@ -39,7 +39,7 @@ typedef struct {
     Word shadows,
         indirect; /* how lights cast them, how indirect light is found: words of these lists; WORD_COUNT: as the scene says */
 
-    Arena words;               /* texts that were made of arguments, and messages */
+    Arena words;               /* texts built from arguments, and messages */
     struct WatchList *watched; /* files that were met; or NULL */
 } Command;
 

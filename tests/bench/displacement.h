@@ -7,7 +7,8 @@ typedef struct GlContext GlContext;
 /* False: it is told why. */
 bool displacement_speed(GlContext *gl, bool timed, int triangles);
 bool displacement_programs(GlContext *gl, bool timed, int triangles);
-/* plot: NULL, or the name of an SVG file without its end, for the charts of the thesis' figures 23 and 24. */
+/* plot: name of an SVG file, without ".svg", for charts of the thesis' figures 23 and 24; or
+ * NULL. */
 bool displacement_table(GlContext *gl, bool timed, int most, const char *plot);
 bool displacement_bisection(GlContext *gl, bool timed, int triangles);
 bool displacement_silhouettes(GlContext *gl);

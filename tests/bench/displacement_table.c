@@ -206,15 +206,15 @@ static int decimals(double frames) { return frames < 9.95 ? 1 : 0; }
 
 static double given(int frames) { return frames ? frames : (double)NAN; }
 
-/* -- charts of figures 23 and 24 of the thesis: frames a second by triangles, its own beside ours */
+/* -- charts of the thesis' figures 23 and 24: frames a second by triangles, there and here */
 
-enum { PANELS = 4, LINES = THIRD + 1 }; /* a version there and here; its numbers of steps, and brute force */
+enum { PANELS = 4, LINES = THIRD + 1 }; /* versions there and here; numbers of steps, brute force */
 typedef struct {
     PlotPoint at[ROWS * LINES];
     int count;
 } Line;
 
-/* Frames a second of a column (THIRD and SECOND together; -1: brute force), as the thesis has them. */
+/* The thesis' frames a second in a column: those of THIRD, then of SECOND; -1: brute force. */
 static double thesis_rate(int row, int column)
 {
     const int rate = column < 0 ? rows[row].brute : column < THIRD ? rows[row].third[column] : rows[row].second[column - THIRD];

@@ -48,8 +48,8 @@ static const struct Command {
     int (*run)(const BenchOptions *options);
     const char *doc;
     const Option *options; /* NULL: plain_options */
-    SuggestName *table;    /* names of tables that it may be asked for */
-    const char *words;     /* other arguments, in the words of --help */
+    SuggestName *table;    /* names of its tables, which arguments may select */
+    const char *words;     /* other arguments, as --help shows them */
     bool own;              /* reads its arguments itself */
 } commands[] = {
     {"cells", .run = bench_cells,
@@ -125,7 +125,7 @@ static int refuse(const char *word)
     return 2;
 }
 
-/* The name of a table, or any word where a command has none. */
+/* Takes the name of a table, or any word if the command has no tables. */
 static const char *take_word(void *to, const char *word, bool literal)
 {
     BenchOptions *o = to;

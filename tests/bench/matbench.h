@@ -19,7 +19,7 @@ long bench_peak_memory(void);
 enum { BENCH_NUMBER = 32 };
 #define NUMBER(decimals, value) bench_number((char[BENCH_NUMBER]){0}, decimals, value)
 const char *bench_number(char text[BENCH_NUMBER], int decimals, double value);
-/* The options of all subcommands; what was not given is 0 or NULL, but for `timed`. */
+/* Options of all subcommands. Missing options are 0 or NULL, except `timed`, which is true. */
 typedef struct {
     bool timed; /* false after --untimed */
     bool quick, speed, scene, cache, help;
@@ -28,10 +28,10 @@ typedef struct {
     int count, triangles, maps, voxels, pixels, size[2];
     double seconds;
     SuggestName *table;   /* the names of the subcommand's tables; NULL: it has none */
-    unsigned tables;      /* a bit for each table that was named; 0: none was */
+    unsigned tables;      /* a bit for each table that was named; 0: none */
     const char **words;   /* arguments of a subcommand without tables */
     int word_count;
-    char **arguments; /* as they were typed, from the subcommand on */
+    char **arguments; /* all arguments from the subcommand on */
     int argument_count;
     Arena arena;
 } BenchOptions;
@@ -60,13 +60,14 @@ double bench_compile_least(const char *text, size_t size, const MatcOptions *opt
 /* Instructions of its program for a layout, --aa=none, behind spirv-opt -O. -1: it does not compile, or spirv-opt is not there. */
 int bench_count(const char *path, const char *text, size_t size, const char *layout);
 
-/* One subcommand each; returns the exit status. `options` and `table` stand in matbench.c's rows. */
+/* Run a subcommand and return the exit status. matbench.c has a row for each, with its options and
+ * tables. */
 int bench_batch(const BenchOptions *options);
 int bench_cells(const BenchOptions *options);
 int bench_compile(const BenchOptions *options);
 int bench_displacement(const BenchOptions *options);
 int bench_error(const BenchOptions *options);
-int bench_functions(const BenchOptions *options); /* 1: one errs by more than is stated */
+int bench_functions(const BenchOptions *options); /* 1: an error exceeds its stated bound */
 int bench_glslang(const BenchOptions *options);
 int bench_growth(const BenchOptions *options);
 int bench_guards(const BenchOptions *options);
@@ -74,10 +75,10 @@ int bench_indirect(const BenchOptions *options);
 int bench_instructions(const BenchOptions *options);
 int bench_layout(const BenchOptions *options);
 int bench_noise(const BenchOptions *options);
-int bench_render(const BenchOptions *options); /* 1: pictures differ that must not */
+int bench_render(const BenchOptions *options); /* 1: pictures differ that have to be equal */
 int bench_shadows(const BenchOptions *options);
 int bench_stress(const BenchOptions *options);
-int bench_surfaces(const BenchOptions *options); /* 1: a slot is off by more than is promised */
+int bench_surfaces(const BenchOptions *options); /* 1: the error of a slot exceeds its bound */
 int bench_thesis(const BenchOptions *options);
 extern const Option bench_batch_options[], bench_displacement_options[], bench_error_options[],
     bench_indirect_options[], bench_noise_options[], bench_render_options[],
@@ -87,7 +88,7 @@ SuggestName bench_displacement_table, bench_indirect_table_name, bench_render_ta
 
 /* Nanoseconds a pixel that the pass takes which writes a layout of layout_table, and one that reads all of it. */
 bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read);
-/* The second table of bench_layout: whole passes. */
+/* Prints the second table of bench_layout: whole passes. */
 int bench_layout_frame(bool timed);
 /* Its third: light passes of sets of materials. */
 int bench_layout_set(bool timed);

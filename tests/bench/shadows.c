@@ -97,7 +97,7 @@ static const struct {
 } tables[] = {{"errors", measure_errors}, {"steps", shadows_steps},       {"times", measure_times},
               {"paths", shadows_paths},   {"polygons", shadows_polygons}, {"claims", shadows_claims},
               {"table1", shadows_table1}};
-enum { TABLES = sizeof tables / sizeof *tables, TABLE_1 = 1 << (TABLES - 1) /* only where it is asked for */ };
+enum { TABLES = sizeof tables / sizeof *tables, TABLE_1 = 1 << (TABLES - 1) /* only if it is named */ };
 
 const char *bench_shadows_table(const void *user, int i)
 {

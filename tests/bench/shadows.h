@@ -34,7 +34,8 @@ bool shadows_time(const Shadows *s, const ShadowsTiming *timing, ShadowsTime *ti
  * the light moves. */
 bool shadows_paths(const Shadows *s);
 bool shadows_polygons(const Shadows *s);
-/* Frames a second of table 1 of the thesis (Möck 2006) beside ours; --quick leaves rows of many polygons out. */
+/* Prints table 1 of the thesis (Möck 2006), frames a second, beside ours. --quick omits rows of
+ * many polygons. */
 bool shadows_table1(const Shadows *s);
 bool shadows_steps(const Shadows *s);
 /* What the thesis claims of quality. */

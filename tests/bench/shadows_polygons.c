@@ -107,8 +107,9 @@ static double best(const double rates[METHODS], int volume)
     return most;
 }
 
-/* Table 1 of the thesis, on a GeForce 6800 GT: none, map, then each volume fetched (its vertex texture fetch) and copied (its
- * pixel buffer). It has no counterpart of the path `compute`. */
+/* Table 1 of the thesis, on a GeForce 6800 GT. Columns: none, map, then for each kind of volume our
+ * path `fetch` (vertex texture fetch in the thesis) and `copy` (pixel buffer). The path `compute`
+ * has no counterpart. */
 enum { COPIED = 2, THERE = FIRST_VOLUME + COPIED * VOLUMES, QUICK_POLYGONS = 32000 };
 static const double there[ROWS][THERE] = {
     {845, 555, 144, 119, 139, 113, 65, 36}, {739, 432, 135, 112, 131, 107, 63, 35},
@@ -117,14 +118,14 @@ static const double there[ROWS][THERE] = {
     {11, 4, 4, 4, 4, 4, 4, 4},
 };
 
-/* Where the method of a column of the thesis stands among ours. */
+/* Index of our method for a column of the thesis' table. */
 static int method_of(int column)
 {
     const int volume = (column - FIRST_VOLUME) / COPIED, path = (column - FIRST_VOLUME) % COPIED;
     return column < FIRST_VOLUME ? column : FIRST_VOLUME + PATHS * volume + path;
 }
 
-/* Frames a second, or over those without shadows in the same row and on the same side. */
+/* Prints frames a second, or their ratio to frames without shadows of the same row and side. */
 static void put_compared(const double rates[METHODS], int row, bool over_none)
 {
     printf("%-8d", polygons[row]);

@@ -1,6 +1,7 @@
-/* matbench thesis: tables 5.2 to 5.6 of Hartmann 2010. Numbers of the thesis stand left of a colon, ours right of it. The
- * machines have nothing in common, so only ratios within one side can be compared: rows over the first row, stages of a
- * frame with each other. Nothing of the thesis' scenes exists outside of GroIMP; thesis_scenes.c has what stands in. */
+/* matbench thesis: tables 5.2 to 5.6 of Hartmann 2010, its numbers left of a colon, ours right of
+ * it. The machines differ too much to compare times, so only ratios within one side are comparable:
+ * rows over the first row, and stages of one frame. The thesis' scenes exist only in GroIMP;
+ * thesis_scenes.c generates substitutes. */
 #include <stdio.h>
 #include "thesis.h"
 #include "matbench.h"
@@ -10,16 +11,16 @@
 #include <string.h>
 
 enum {
-    SIDE = 512,   /* pixels of the thesis' pictures each way */
-    WARM = 5,     /* frames that are drawn first, as in the thesis */
-    FRAMES = 1000, /* frames that are measured, as in the thesis; fewer where they take long */
+    SIDE = 512,   /* width and height of the thesis' pictures */
+    WARM = 5,     /* warm-up frames, as in the thesis */
+    FRAMES = 1000, /* measured frames, as in the thesis; fewer if they are slow */
     FEWEST = 3,
-    QUICK_OBJECTS = 2401, /* the most of a row that --quick and --untimed draw */
+    QUICK_OBJECTS = 2401, /* maximum row of --quick and --untimed */
     QUICK_CHECKERS = 120,
     QUICK_LIGHTS = 128,
     MOST_ROWS = 12
 };
-#define NONE NAN /* the thesis has no number there, or nothing was measured here */
+#define NONE NAN /* no number in the thesis, or nothing measured here */
 #define MS(seconds) NUMBER(3, 1e3 * (seconds))
 
 typedef struct {
@@ -28,12 +29,12 @@ typedef struct {
 } Thesis;
 
 typedef struct {
-    double mean, least, most; /* seconds of a frame */
+    double mean, least, most; /* seconds a frame */
 } FrameTimes;
 
 /* -- frames */
 
-/* Moves every object from `first` on, to and fro. */
+/* Moves every object from index `first` on to and fro. */
 static bool move_objects(BenchScene *scene, int first, int frame)
 {
     Scene *of = scene->scene;
@@ -52,7 +53,8 @@ static double draw_frame(const Thesis *t, BenchScene *scene, int first_moving, i
     return bench_now() - start;
 }
 
-/* Opens a scene, and times its frames; first_moving: -1 where nothing moves. The scene is left open. */
+/* Opens a scene, times its frames and leaves it open. first_moving: index of the first moving
+ * object, or -1. */
 static bool time_scene(const Thesis *t, const Text *text, int first_moving, BenchScene *scene, FrameTimes *times)
 {
     const RenderOptions options = {.edges = RENDER_EDGES_none};
@@ -123,14 +125,14 @@ static bool measure_nodes(const Thesis *t)
 /* -- tables 5.3 to 5.5: series */
 
 typedef struct {
-    int count; /* 0 behind the last */
+    int count; /* 0 after the last row */
     double a, b, older_a;
 } SeriesRow;
 
 typedef struct {
     const char *name, *what;
     void (*write)(Text *out, int count);
-    int quick; /* the most that --quick draws */
+    int quick; /* maximum count of --quick */
     bool forward; /* a forward renderer draws the scene, too */
     SeriesRow rows[MOST_ROWS];
 } Series;
@@ -181,7 +183,7 @@ static const Series series[] = {
 };
 enum { SERIES = sizeof series / sizeof *series };
 
-/* The forward renderer stands for the thesis' older view, which is one, too. */
+/* Times the forward renderer, the counterpart of the thesis' older view. */
 static bool time_forward(const Thesis *t, BenchScene *scene, double *mean)
 {
     *mean = NONE;
@@ -253,7 +255,7 @@ static bool measure_lights(const Thesis *t) { return measure_series(t, &series[2
 typedef enum { DRAW, PEEL, LIGHT, SKY, TONE, TOOLS, SHOW, STAGES } Stage;
 static const char *const stage_names[STAGES] = {"draw", "peel", "light", "sky", "tone", "tools", "show"};
 
-/* The stage of the thesis that a pass of ours does the work of; passes that are not named here do its light. */
+/* The stage of the thesis whose work a pass does. All passes without a row belong to `light`. */
 static const struct {
     const char *pass;
     Stage stage;
@@ -327,7 +329,7 @@ static bool measure_frame(const Thesis *t, int row, double seconds[STAGES])
     return fine;
 }
 
-/* Milliseconds of each stage, and the share of the drawing in their sum. */
+/* Prints the milliseconds of each stage, and the share of `draw` in their sum. */
 static void put_stages(const char *name, const char *who, const double milliseconds[STAGES])
 {
     double sum = 0;
@@ -400,7 +402,7 @@ int bench_thesis(const BenchOptions *options)
         printf("%s, ", t.bench.gl->renderer);
     if (fine)
         printf("%d x %d pixels; there, A is a GeForce 8600M GT, B a Radeon HD 3870 X2, of 2007\n", SIDE, SIDE);
-    if (!options->timed) /* the rows alone count */
+    if (!options->timed) /* nothing is timed, so a small picture will do */
         t.bench.width = t.bench.height = 64;
     for (int i = 0; fine && i < TABLES; i++)
         fine = !(chosen >> i & 1) || tables[i].measure(&t);

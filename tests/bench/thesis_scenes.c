@@ -1,4 +1,5 @@
-/* Documents that stand in for scenes of the thesis; Scatter makes their copies, so they are the same on every machine. */
+/* Generated documents in place of scenes of the thesis. Scatter places their copies, so they are
+ * equal on every machine. */
 #include <stdio.h>
 #include "thesis.h"
 #include <math.h>

@@ -24,8 +24,8 @@ static double table_at(const LitTable *table, double cosine, int lane)
     return (i + 1 - at) * table->by[i][lane] + (at - i) * table->by[i + 1][lane];
 }
 
-/* Weight of a step in a mean over all directions, 2 cosine d cosine: the trapezoidal rule in the
- * root of the cosine. */
+/* Weight of a step in a cosine-weighted mean over all directions: the integral of 2 c dc over the
+ * cosine c, by the trapezoidal rule in sqrt(c). */
 static double step_weight(int step)
 {
     const double x = (double)step / LIT_STEPS;
@@ -75,8 +75,8 @@ static double film_reflected(const LitReference *lit, double cosine, double base
     return clamped(sum / white, 0, 1);
 }
 
-/* Schlick's term; of metal the tint at 82 degrees, whose cosine is 1/7, is taken off by
- * cosine (1 - cosine)^6 as Hoffman has it. */
+/* Schlick's Fresnel term. For metal, Hoffman's term in cosine (1 - cosine)^6 lowers it to the tint
+ * at 82 degrees, whose cosine is 1/7. */
 static double facet_fresnel(const LitReference *lit, bool metal, double cosine, int lane)
 {
     const double low =
@@ -94,14 +94,16 @@ static double facet_fresnel(const LitReference *lit, bool metal, double cosine, 
 
 /* -- GGX --------------------------------------------------------------------------------------- */
 
-/* Directions in the frame of a lobe: along and across the tangent, and the normal. */
+/* Smith's lambda of a direction in tangent space: along the tangent, across it, along the
+ * normal. */
 static double masking(const double widths[2], const double w[3])
 {
     const double x = widths[0] * w[0], y = widths[1] * w[1];
     return (sqrt(1 + (x * x + y * y) / (w[2] * w[2])) - 1) / 2;
 }
 
-/* pi times single scattering with a Fresnel term of 1, and the light's cosine. */
+/* pi times the cosine of the light times the BRDF of single scattering, with a Fresnel term of
+ * 1. */
 static double facets_once(const double widths[2], const double v[3], const double l[3])
 {
     double h[3];
@@ -113,7 +115,7 @@ static double facets_once(const double widths[2], const double v[3], const doubl
     return density / (1 + masking(widths, v) + masking(widths, l)) / (4 * v[2]);
 }
 
-/* A facet visible from v, by two numbers in [0, 1) (Heitz 2018). */
+/* Samples the normal of a microfacet that v sees, from two numbers in [0, 1) (Heitz 2018). */
 static void visible_facet(double alpha, const double v[3], const double at[2], double h[3])
 {
     const double x = alpha * v[0], size = hypot(x, v[2]), wx = x / size, wz = v[2] / size;
@@ -126,7 +128,7 @@ static void visible_facet(double alpha, const double v[3], const double at[2], d
         h[i] = n[i] / length;
 }
 
-/* Directional albedos of single scattering for Fresnel terms of several lanes; NULL: of 1. */
+/* Directional albedo of single scattering, by components of the Fresnel term; NULL: a term of 1. */
 static void facet_albedo(double alpha, double cosine, const LitTable *fresnel, double albedo[3])
 {
     enum { RINGS = 24, TURNS = 32 };
@@ -152,7 +154,7 @@ static void facet_albedo(double alpha, double cosine, const LitTable *fresnel, d
 
 /* -- Layers ------------------------------------------------------------------------------------ */
 
-/* Fibres of weight 1: pi times their BRDF and the light's cosine. */
+/* pi times the cosine of the light times the BRDF of fuzz of weight 1. */
 static double fibres(double rough, double high, double l, double v)
 {
     const double sine = sqrt(fmax(1 - high * high, 0));
@@ -189,7 +191,7 @@ static double coat_fresnel(const LitReference *lit, double cosine)
     return low + (1 - low) * pow(1 - cosine, 5);
 }
 
-/* What coat and fuzz let through of a direction. */
+/* Transmittance of coat and fuzz for a direction. */
 static double layers_through(const LitReference *lit, double cosine, double of_coat)
 {
     return table_at(&lit->coat, of_coat, 0) * table_at(&lit->fuzz, cosine, 0);
@@ -215,7 +217,7 @@ static void open_layers(LitReference *lit)
 
 /* -- The base ---------------------------------------------------------------------------------- */
 
-/* All that facets of a kind reflect toward a direction. */
+/* Directional albedo of dielectric or metal, multiple scattering included. */
 static double reflected(const LitReference *lit, bool metal, double cosine, int lane)
 {
     return table_at(&lit->once[metal], cosine, lane) +
@@ -301,15 +303,16 @@ static void phong_lobe(const LitReference *lit, const double l[3], double parts[
     }
 }
 
-/* Fujii's lobe over an even one, by the cosines of light and eye and of the angle between. */
+/* Fujii's lobe relative to Lambert's, from the cosines of light, of eye and of the angle
+ * between. */
 static double grain_once(const LitReference *lit, double l, double v, double between)
 {
     const double rough = share(lit, SLOT_diffuseRoughness), s = between - l * v;
     return (1 + rough * s / (s > 0 ? fmax(l, v) : 1)) / (1 + (.5 - 2 / (3 * PI)) * rough);
 }
 
-/* The base's color, and what goes on within a rough one, which is spread evenly; nothing may cover
- * a rough base here. */
+/* The base's color; for a rough base single scattering by Fujii's lobe and multiple scattering,
+ * which is diffuse. A rough base must not have layers over it here. */
 static double base_color(const LitReference *lit, const double l[3], int lane)
 {
     const double color = clamped(lit->slots.lane[SLOT_diffuse][lane], 0, 1),
@@ -335,7 +338,7 @@ static void open_grain(LitReference *lit)
     table_mean(&lit->grain);
 }
 
-/* Light that crosses thin walls: diffuse on both sides, below the facets and layers of each. */
+/* Diffuse transmission of thin walls, below the specular interface and the layers of both sides. */
 static void principled_behind(const LitReference *lit, double l, double parts[LIT_PARTS][3])
 {
     const double v = dot(lit->normal, lit->eye),
@@ -348,7 +351,7 @@ static void principled_behind(const LitReference *lit, double l, double parts[LI
     }
 }
 
-/* The coat's own reflection, with fuzz over it; its frame turns with its normal. */
+/* Reflection by the coat about its own normal, dimmed by the fuzz over it. */
 static double coat_shine(const LitReference *lit, const double l[3])
 {
     const double *n = lit->coat_normal, cosines[2] = {dot(n, l), fmax(dot(n, lit->eye), 1e-3)};
@@ -423,7 +426,7 @@ static void phong_albedos(const LitReference *lit, double parts[LIT_PARTS][3])
     }
 }
 
-/* Of light from all around. */
+/* Albedo of the diffuse base for uniform light from all directions. */
 static double base_albedo(const LitReference *lit, double eye, int lane)
 {
     const double color = clamped(lit->slots.lane[SLOT_diffuse][lane], 0, 1),

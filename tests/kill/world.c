@@ -116,7 +116,7 @@ bool world_is(const World *w, const Bytes *tree, bool hidden)
     return equal;
 }
 
-/* The bytes of a file in a tree; NULL: it is not there. */
+/* The bytes of a file in a tree; NULL if it has no such file. */
 static const char *in_tree(const Bytes *tree, const char *name, size_t *size)
 {
     BytesReader from = {tree->at, tree->at + tree->size, false};
@@ -128,7 +128,7 @@ static const char *in_tree(const Bytes *tree, const char *name, size_t *size)
     return found;
 }
 
-/* Every file of that tree is in the other with the same bytes. */
+/* `tree` has every output file of `wanted`, with the same bytes. */
 static bool holds(const Bytes *tree, const Bytes *wanted)
 {
     BytesReader from = {wanted->at, wanted->at + wanted->size, false};
@@ -144,7 +144,6 @@ static bool holds(const Bytes *tree, const Bytes *wanted)
     return all;
 }
 
-/* A manifest that is there tells what is there: it is the old one over all the old files, or the new one over all the new ones. */
 bool world_index_is_true(const World *w)
 {
     char path[PATH_ROOM];

@@ -25,8 +25,8 @@ typedef struct {
     char *calls[MOST_CALLS]; /* names, in their order, from 1 */
     long call_count;
     int wrong;
-    int left;   /* runs that succeeded and left something to remove */
-    int halves; /* runs that failed among their moves */
+    int left;   /* runs that succeeded but left files to remove */
+    int halves; /* runs that failed while they moved files */
 } World;
 
 /* Where a scenario was struck: at its n-th call. */
@@ -58,7 +58,7 @@ void world_path(const World *w, const char *name, char path[PATH_ROOM]);
 Bytes world_tree(const char *path, bool hidden);
 /* "now" is such a tree. */
 bool world_is(const World *w, const Bytes *tree, bool hidden);
-/* A manifest that is there lists what is there: all of the old files, or all of the new ones. */
+/* There is no manifest, or the old one with all old files, or the new one with all new files. */
 bool world_index_is_true(const World *w);
 /* A call's name is in a list, which ends with NULL. */
 bool call_is_one_of(const char *name, const char *const *names);

@@ -1,5 +1,6 @@
-/* Every function of matc.h is called with every kind of wrong argument: NULL, an index outside of what there is, a handle of
- * what has faults, options that were not set, a value that is no enumerator. It fails, and says why where it has a place to.
+/* Calls every function of matc.h with every kind of wrong argument: NULL, an index out of range, a
+ * handle of a document or program with errors, uninitialized options, a value that is no
+ * enumerator. The call has to fail, with a diagnostic if it returns an object that has diagnostics.
  * A function of the header without a row fails the test (api_rows.h). */
 #include "tests/test.h"
 #include "tests/api_rows.h"
@@ -11,7 +12,7 @@ static const int outside[] = {-1, 1, 1000, INT_MAX, INT_MIN};
 enum { OUTSIDE = sizeof outside / sizeof *outside };
 static const char plain[] = "material: Phong\ndiffuse: { param: a, default: 1 }\n";
 
-/* What rows ask of: fine ones, those with faults, NULL. */
+/* Arguments that the rows share: valid objects, and objects with errors. */
 static struct {
     MatcOptions options, unset;
     MatcDocument *fine, *faulty;
@@ -49,7 +50,7 @@ static void assert_says(const char *text, const char *what)
         fail_msg("'%s' does not say '%s'", text ? text : "(NULL)", what);
 }
 
-/* -- of the library as a whole */
+/* -- the library as a whole */
 
 static void wrong_version(void) { assert_string_equal(matc_version(), MATC_VERSION); }
 
@@ -63,7 +64,7 @@ static void wrong_options_init(void)
     matc_options_init_sized(NULL, sizeof options);
     matc_options_init_sized(&options, 0);
     assert_int_equal(((unsigned char *)&options)[0], 'x');
-    matc_options_init_sized(&options, sizeof(size_t)); /* of a caller that knows no member */
+    matc_options_init_sized(&options, sizeof(size_t)); /* a caller that knows no member */
     assert_int_equal(options.size, sizeof(size_t));
     assert_string_equal(matc_options_fault(&options), "size");
 }
@@ -95,7 +96,7 @@ static void wrong_options_fault(void)
 
 static void wrong_schema(void)
 {
-    char *whole = matc_schema(NULL); /* of documents */
+    char *whole = matc_schema(NULL); /* the schema of documents */
     assert_non_null(whole);
     free(whole);
     assert_null(matc_schema(""));
@@ -142,7 +143,7 @@ static void wrong_read(void)
     options.include_count = INT_MIN;
     options.include = folders;
     options.member_count = -1;
-    MatcDocument *d = matc_read(NULL, plain, strlen(plain), &options); /* no name, as text from memory has none */
+    MatcDocument *d = matc_read(NULL, plain, strlen(plain), &options); /* text from memory needs no name */
     assert_int_equal(matc_error_count(d), 0);
     assert_int_equal(matc_material_count(d), 1);
     matc_document_free(d);
@@ -218,7 +219,7 @@ static void wrong_document_schema(void)
 static void wrong_diagnostics(void)
 {
     assert_string_equal(matc_diagnostics(NULL, MATC_TEXT), "");
-    const char *json = matc_diagnostics(of.faulty, (MatcForm)7); /* no form: JSON, and whole */
+    const char *json = matc_diagnostics(of.faulty, (MatcForm)7); /* an invalid form gives complete JSON */
     assert_true(json[0] == '[' && strchr(json, ']'));
 }
 
@@ -263,7 +264,7 @@ static void wrong_eval(void)
     assert_no_value(of.fine, 0, "nothing=1", NULL);
     for (int i = 0; i < OUTSIDE; i++)
         assert_no_value(of.fine, outside[i], "", NULL);
-    char *values = matc_eval(of.fine, 0, NULL, NULL, NULL); /* the middle of everything */
+    char *values = matc_eval(of.fine, 0, NULL, NULL, NULL); /* default inputs */
     assert_non_null(values);
     free(values);
 }
@@ -375,7 +376,7 @@ static void wrong_spirv(void)
     assert_null(matc_spirv(NULL, MATC_FRAGMENT, &size));
     assert_int_equal(size, 0);
     assert_null(matc_spirv(of.failed, MATC_FRAGMENT, NULL));
-    assert_null(matc_spirv(of.program, MATC_FRAGMENT, NULL)); /* was not asked for */
+    assert_null(matc_spirv(of.program, MATC_FRAGMENT, NULL)); /* SPIR-V was not requested */
     assert_null(matc_spirv(of.program, (MatcOutput)-1, NULL));
 }
 

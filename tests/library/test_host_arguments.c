@@ -1,5 +1,6 @@
-/* Every function of matc_render.h is called with every kind of wrong argument. It fails, says why where it has a place to,
- * and the picture stays as it was. A function of the header without a row fails the test (api_rows.h). */
+/* Calls every function of matc_render.h with every kind of wrong argument. The call has to fail,
+ * with a message in the scene's or renderer's error, and must not change the picture. A function of
+ * the header without a row fails the test (api_rows.h). */
 #include "tests/test.h"
 #include "runtime/gl/backend.h"
 #include "runtime/render/matc_render.h"
@@ -19,7 +20,7 @@ static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0,
 static const int outside[] = {-1, 1, 1000, INT_MAX, INT_MIN};
 enum { OUTSIDE = sizeof outside / sizeof *outside };
 
-/* What rows ask of: a renderer with a scene, and one that has none yet. */
+/* Arguments that the rows share: a renderer with a scene, and one without. */
 static struct {
     GlContext *owner;
     MatcDocument *document;
@@ -73,7 +74,7 @@ static int close_all(void **state)
     return 0;
 }
 
-/* -- what a call leaves: an error of its own, not that of the call before */
+/* -- each refused call has to set an error of its own */
 
 static void forget_errors(void)
 {
@@ -151,7 +152,7 @@ static void wrong_scene_find_object(void)
     assert_int_equal(matc_scene_find_object(of.scene, NULL, -1), -1);
     assert_int_equal(matc_scene_find_object(of.scene, "bal", -1), -1);
     assert_int_equal(matc_scene_find_object(of.scene, "ball", INT_MAX), -1);
-    assert_int_equal(matc_scene_find_object(of.scene, "ball", INT_MIN), 0); /* behind none */
+    assert_int_equal(matc_scene_find_object(of.scene, "ball", INT_MIN), 0); /* searches from the start */
 }
 
 static void wrong_scene_find_light(void)
@@ -230,7 +231,7 @@ static void wrong_render_open(void)
     const MatcOptions unset = {.validate = true};
     const MatcRenderOptions wrong[] = {
         {.load = load, .user = of.owner},
-        {.size = sizeof(size_t), .load = load, .user = of.owner}, /* of a caller that knows no member */
+        {.size = sizeof(size_t), .load = load, .user = of.owner}, /* a caller that knows no member */
         {.size = sizeof(MatcRenderOptions)},
         {.size = sizeof(MatcRenderOptions), .load = load_nothing},
         {.size = sizeof(MatcRenderOptions), .load = load, .user = of.owner, .view = ""},
@@ -243,7 +244,7 @@ static void wrong_render_open(void)
         char error[MESSAGE] = "";
         assert_null(matc_render_open(&wrong[i], error, sizeof error));
         assert_true(*error);
-        assert_null(matc_render_open(&wrong[i], error, 1)); /* cut to nothing */
+        assert_null(matc_render_open(&wrong[i], error, 1)); /* room for the terminating zero alone */
         assert_int_equal(*error, 0);
         assert_null(matc_render_open(&wrong[i], NULL, 0));
     }
@@ -382,7 +383,7 @@ static void wrong_renderer_draw(void)
     assert_false(matc_renderer_draw(NULL, 0, whole));
     EMPTY_REFUSES(matc_renderer_draw(of.empty, 0, whole));
     RENDER_REFUSES(matc_renderer_draw(of.render, 0, NULL));
-    RENDER_REFUSES(matc_renderer_draw(of.render, 999, whole)); /* no framebuffer of the context */
+    RENDER_REFUSES(matc_renderer_draw(of.render, 999, whole)); /* the context has no such framebuffer */
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         RENDER_REFUSES(matc_renderer_draw(of.render, 0, wrong[i]));
 }
@@ -453,7 +454,7 @@ static void wrong_arguments_of_every_function(void **state)
     assert_memory_equal(after, of.before, sizeof after);
 }
 
-/* A scene with displaced objects refuses further meshes, objects and materials, and goes on as it was. */
+/* A scene with displaced objects refuses further meshes, objects and materials, and still draws. */
 static void displaced_scenes_take_no_more(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 #!/bin/sh
-# What the libraries give, against tests/packaging/abi.txt, and libmatc_render's own functions against tests/packaging/abi_render.txt: abi.sh LIBRARY...; abi.sh --update libmatc.so writes the list. A line may be
+# Compares the symbols that the libraries export with tests/packaging/abi.txt, and libmatc_render's own functions
+# with tests/packaging/abi_render.txt: abi.sh LIBRARY...; abi.sh --update libmatc.so writes the list. A line may be
 # added there; one that goes, or changes its version, breaks programs that are compiled already, and wants a new number of the
 # library.
 set -u

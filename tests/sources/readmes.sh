@@ -1,7 +1,8 @@
 #!/bin/sh
-# A folder's README.md is a page that is true: it names every .c and .def of the folder, that of tests/ every test in a folder
-# of it as well, names no file that is not there, and the README.md of the folder above leads to it. Names stand in backquotes; `lower_*.c` names them all. And no file is a link, nor holds
-# both sides of a merge. Run from the project's root.
+# Checks each folder's README.md: it names every .c and .def of the folder (that of tests/ also every test in
+# its folders) and no missing file, and the README.md of the folder above links to it. Names are in backquotes,
+# and may be patterns such as `lower_*.c`. No file may be a link or contain merge markers. Run from the
+# project's root.
 set -eu
 all=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -print)
 end='

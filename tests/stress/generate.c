@@ -337,7 +337,8 @@ static Kind choose_material(Choices *c, int depth)
     return chance(c, 1, 4) ? others[choose(c, depth > 1 ? 6 : depth ? 8 : 10)] : KIND_Phong;
 }
 
-/* Surfaces stay where they are, but for a relief's: the judge has no vertices. tests/compiler/lower/test_displacement.c has what moves them. */
+/* Documents do not displace surfaces, except for bump slopes, since the comparison has no vertices.
+ * tests/compiler/lower/test_displacement.c tests displacement. */
 static bool moves_surface(const ParamRow *row) { return !strncmp(row->name, "displacement", strlen("displacement")); }
 
 enum { OWN_MANY = 10 }; /* parameters of a material, those of displacement among them, from which on fewer are given */

@@ -72,7 +72,7 @@ exec 9<&-
 check "who is ended in turn" status 0 $fast -d "$work/ended" examples/checker.yaml
 check "has it removed, too" only "$work/ended" .matc-cache checker.frag manifest.json
 
-# -- a list of intents that cannot be read is an error at once, and nothing changes; test_staging.c has more
+# -- an unreadable list of intents is an error, and no file changes; test_staging.c has more cases
 
 refused() { # a command that damages the list of an interrupted run
     rm -rf "$work/broken" "$work/same"

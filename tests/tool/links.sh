@@ -89,7 +89,7 @@ for file in checker.frag checker.json manifest.json manifest.d; do
         check "$file: of the right bytes" diff -r "$work/right" "$work/made"
     done
 done
-# A staging folder of an interrupted run is a link to a folder outside
+# In place of a staging folder of an interrupted run there is a link to a folder outside
 fresh
 mkdir "$work/made"
 echo precious >"$work/outside/0"

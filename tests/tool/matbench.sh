@@ -20,14 +20,14 @@ done
 check "it names the tables" prints '\[materials\] \[lights\] \[objects\] \[passes\]'
 check "and the options" prints '^  --size=WIDTHxHEIGHT  pixels of a frame$'
 
-# -- options stand in any order, and take their values in both forms
+# -- options come in any order, with "=VALUE" or " VALUE"
 
 check "--untimed behind another option" status 0 "$matbench" noise --gl=osmesa --untimed
 check "leaves all times out" test "$(grep -c -- ' -  *-$' "$work/stdout")" -gt 1
 check "a value of its own" status 0 "$matbench" noise --untimed --gl osmesa
 check "the same" test "$(grep -c -- ' -  *-$' "$work/stdout")" -gt 1
 
-# -- what is wrong is quoted, and what was meant is guessed
+# -- a fault quotes the wrong word and suggests another
 
 for wrong in "rendr: render" "render --untimd: --untimed" "render light: lights" "render --gl=elg: egl"; do
     check "matbench ${wrong%:*}" status 2 "$matbench" ${wrong%:*}
@@ -38,7 +38,7 @@ for wrong in "render --size=x" "render --size" "shadows --triangles=9" "cells --
     check "points to --help" says "; see matbench ${wrong%% *} --help"
 done
 
-# -- rows are printed as they are measured: cells takes long, and its first row is there before the last
+# -- rows are printed as they are measured: the first row of cells comes long before the last
 
 "$matbench" cells >"$work/rows" &
 process=$!

@@ -1,4 +1,5 @@
-/* Lets each call of a run fail in turn, alone and as on a full disk, and runs on a disk that cannot be written. */
+/* Makes each call of a run fail in turn, alone and as on a full disk, and runs on a read-only
+ * disk. */
 /* ctest: alone seconds=54 */
 #include "tests/test.h"
 #include "tests/kill/world.h"
@@ -6,8 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A run that reports a failure has changed nothing, or was stopped while it moved its files: then no manifest that is there is
- * untrue, and the next run finishes it. A run that reports none has done all. */
+/* A run that reports a failure has changed nothing, or it failed while it moved files: then the
+ * manifest, if there is one, matches the files, and the next run finishes the moves. A run that
+ * reports no failure has written all of its files. */
 static void check_failure(World *w, const Strike *at)
 {
     const Scenario *s = at->scenario;

@@ -1,4 +1,5 @@
-/* Commits that a process left in the middle, and what the next one makes of them: staging_commit.c. */
+/* Commits that a process left half done, and how the next process finishes them
+ * (staging_commit.c). */
 #include "tests/test.h"
 #include "compiler/base/staging.h"
 #include "compiler/base/staging_commit.h"
@@ -13,10 +14,10 @@
 #include <unistd.h>
 
 enum { PATH_ROOM = 512 };
-enum { TICK_NS = 20000000 }; /* longer than a file system's clock stands still */
+enum { TICK_NS = 20000000 }; /* longer than a step of the file system's clock */
 
-/* An output folder of a run that ended behind its list of intents: it was to put "new" for "old" in a.frag, to remove
- * b.frag, and to replace the manifest. */
+/* The output folder of a run that ended after it wrote its list of intents: replace "old" by "new"
+ * in a.frag, remove b.frag, replace the manifest. */
 typedef struct {
     char path[PATH_ROOM / 2];
     int folder;
@@ -86,7 +87,7 @@ static int discard(void **state)
     return 0;
 }
 
-/* What a next run that writes nothing does in the folder. NULL, or why it fails. */
+/* Opens and closes the folder as a next run that writes nothing. Returns NULL or its fault. */
 static const char *open_next(const Interrupted *run)
 {
     const char *why;
@@ -107,7 +108,7 @@ static void the_next_run_finishes_it(void **state)
     assert_false(is_staged(run));
 }
 
-/* Wherever it was ended: each prefix of the moves is done already. */
+/* All moves are already done, and the list is still there. */
 static void what_is_done_is_not_done_again(void **state)
 {
     Interrupted *run = *state;
@@ -158,7 +159,7 @@ static void a_folder_of_somebody_else_is_left_alone(void **state)
     assert_true(is_staged(run));
 }
 
-/* Such a list is an error at once, and nothing changes. */
+/* A damaged list is an error at once, and no file changes. */
 static void assert_refused(const Interrupted *run)
 {
     const char *why = open_next(run);

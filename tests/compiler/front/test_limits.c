@@ -1,4 +1,5 @@
-/* Each limit of the compiler at its border and one beyond, by tests/limits.def. */
+/* Each limit of the compiler: the last value that passes and the first that is refused, from
+ * tests/limits.def. */
 #include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/base/session.h"
@@ -26,7 +27,7 @@ static void bytes_of_document(Text *out, int count)
     free(rest);
 }
 
-/* Levels within the outermost object. */
+/* `count` levels of nesting within the outermost object. */
 static void nested_lists(Text *out, int count)
 {
     text_put(out, A_PHONG "diffuse: ");
@@ -140,7 +141,7 @@ static void parameters_of_definition(Text *out, int count)
     text_put(out, "}, map: Checker } }\n");
 }
 
-/* The '=' before it is none of its bytes. */
+/* The limit does not count the '=' before the formula. */
 static void bytes_of_formula(Text *out, int count)
 {
     text_put(out, A_PHONG "diffuse: \"=u");
@@ -180,7 +181,7 @@ static void fields_of_layout(Text *out, int count)
     text_put(out, "]\n");
 }
 
-/* The fields of the layout itself are a case. */
+/* The fields of the layout itself count as a case. */
 static void cases_of_layout(Text *out, int count)
 {
     text_put(out, "layout: a\ntargets: [RGBA32UI]\nfields: [{ slot: diffuse, encoding: unorm, bits: 8 }]\ncases: [");
@@ -188,14 +189,14 @@ static void cases_of_layout(Text *out, int count)
     text_put(out, "]\n");
 }
 
-/* -- What is reported of them */
+/* -- Diagnostics of these documents */
 
 typedef void Make(Text *out, int count);
 typedef struct {
     const char *limit;
     int last;
     DiagKind kind;
-    Make *make; /* NULL: a row that points elsewhere */
+    Make *make; /* NULL: another test has the limit, or nothing is refused */
     const char *file, *text;
 } Row;
 
@@ -210,7 +211,7 @@ static const Row rows[] = {
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
-/* Files that documents include: "nest3" includes "nest2", "leaf7" defines something. */
+/* Included files: "nest3" includes "nest2"; any other defines its own name. */
 static char *read_included(void *user, const char *path, size_t *size, const char **why)
 {
     char text[64];
@@ -226,7 +227,7 @@ static char *read_included(void *user, const char *path, size_t *size, const cha
 
 static bool is_layout(const char *text) { return !strncmp(text, "layout:", 7); }
 
-/* So many messages of that kind. */
+/* Number of messages of the kind. */
 static int count_in(const char *messages, DiagKind kind)
 {
     char name[128];
@@ -290,7 +291,7 @@ static void borders(void **state)
     assert_int_equal(faults, 0);
 }
 
-/* A name of 300 letters has its first 256 in a message. */
+/* A message quotes the first 256 letters of a name of 300. */
 static void quotes_are_cut(void **state)
 {
     char text[400] = A_PHONG "diffuse: ", wanted[300];
@@ -319,7 +320,7 @@ static bool stands_in(const char *file, const char *wanted)
     return found;
 }
 
-/* The enumeration of session.h, word by word. */
+/* Reads the names of the limits from the text of session.h. */
 static void every_limit_has_a_row(void **state)
 {
     size_t size;

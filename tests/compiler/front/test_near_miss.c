@@ -1,5 +1,5 @@
-/* Each message beside an input that almost causes it, by tests/near_misses.def: the one is reported, and of the other
- * nothing is. A message without a row fails. */
+/* Pairs of inputs from tests/near_misses.def: one causes a message, the other nearly does and must
+ * cause no message at all. A message without a row fails. */
 #include "tests/test.h"
 #include "compiler/base/diag.h"
 #include "compiler/base/file.h"
@@ -13,8 +13,8 @@ typedef enum { OF_DOCUMENT, OF_LAYOUT, OF_SCENE, OF_OPTIONS, IN_FILE, NOWHERE } 
 typedef struct {
     DiagKind kind;
     RowOf of;
-    const char *trigger, *miss; /* of IN_FILE: the file, and what stands in it */
-    unsigned outputs;           /* of OF_OPTIONS */
+    const char *trigger, *miss; /* IN_FILE: the file and a text in it */
+    unsigned outputs;           /* OF_OPTIONS */
 } Row;
 
 static const Row rows[] = {
@@ -40,7 +40,7 @@ static void add(char *out, const char *text)
     snprintf(out + size, MOST_TEXT - size, "%s", text);
 }
 
-/* All that is reported of a document, and of its materials as they are compiled. */
+/* Appends all diagnostics of a document and of its materials, which are compiled. */
 static void document_messages(const char *text, unsigned outputs, char *out)
 {
     MatcOptions options;
@@ -61,7 +61,7 @@ static void document_messages(const char *text, unsigned outputs, char *out)
     matc_document_free(document);
 }
 
-/* The same of a layout, and of a Phong and a Principled that are compiled with it. */
+/* Appends all diagnostics of a layout, and of a Phong that is compiled with it. */
 static void layout_messages(const char *text, unsigned outputs, char *out)
 {
     static const char material[] = "material: Phong\ndiffuse: 0.5\nspecular: 0.3\nshininess: 0.5\n";
@@ -98,7 +98,7 @@ static void scene_messages(const char *text, unsigned outputs, char *out)
     matc_document_free(document);
 }
 
-/* "target=glsl110 layout=integer" */
+/* Appends all diagnostics of a Phong under options such as "target=glsl110 layout=integer". */
 static void options_messages(const char *text, unsigned outputs, char *out)
 {
     static const char material[] = "material: Phong\ndiffuse: 0.5\n";
@@ -165,7 +165,7 @@ static void messages_and_near_misses(void **state)
     assert_int_equal(faults, 0);
 }
 
-/* How often a program of a Phong with these options reports that. */
+/* Compiling a Phong with these options reports the kind. */
 static bool reports_of(const MatcOptions *options, unsigned outputs, DiagKind kind)
 {
     static const char material[] = "material: Phong\ndiffuse: [0.2, 0.3, 0.4]\n";
@@ -179,7 +179,8 @@ static bool reports_of(const MatcOptions *options, unsigned outputs, DiagKind ki
 
 static bool reports(const MatcOptions *options, DiagKind kind) { return reports_of(options, MATC_FRAGMENT, kind); }
 
-/* Options that matc_options_set would not take, members of another number, a layout for nothing. */
+/* Faults that only a caller can cause: options that matc_options_set rejects, a wrong number of
+ * members, unknown outputs, a layout for no materials. */
 static void faults_of_callers(void **state)
 {
     MatcOptions options;

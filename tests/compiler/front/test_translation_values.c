@@ -1,7 +1,7 @@
-/* Every row of translations.def beside numbers that translation_values.def has from the models'
- * specifications: what each parameter of the Principled is that a material becomes. Each document
- * is read twice: as it stands, where its formulas become numbers, and with its numbers as uniforms,
- * where they become expressions. */
+/* Every row of translations.def against numbers from the models' specifications, which
+ * translation_values.def lists: the parameters of the Principled that a material becomes. Each
+ * document is read twice: with constants, so that formulas of the translation become numbers, and
+ * with uniforms in their place, so that they become expressions. */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/oracle/oracle_maps.h"
@@ -9,7 +9,7 @@
 #include "tests/compile_text.h"
 #include <math.h>
 
-static const double NEAR = 1e-6; /* numbers have seven digits behind the point */
+static const double NEAR = 1e-6; /* the table has seven decimals */
 enum { MAX_TEXT = 1024 };
 
 typedef enum { ALWAYS, WHERE, NORMAL } How;
@@ -51,7 +51,8 @@ static bool is_direction(int param)
 
 /* -- Values ------------------------------------------------------------------------------------ */
 
-/* Principled's parameter at a point whose tangents are x and y; of a normal, to unit length. */
+/* Evaluates a parameter of the Principled at a point whose tangents are x and y; a normal is
+ * normalized. */
 static void read_param(MatcDocument *document, int param, double value[3])
 {
     static const ReferenceContext context = {.noise = REFERENCE_GROIMP};
@@ -140,7 +141,7 @@ static void uniforms_become_expressions(void **state)
 
 /* -- The table is whole ------------------------------------------------------------------------ */
 
-/* A row whose number is Principled's default would pass without the translation. */
+/* The row's number is Principled's default: the row would pass without the translation. */
 static bool is_default(const Row *row)
 {
     const ParamRow *param = &param_table[row->param];
@@ -150,7 +151,8 @@ static bool is_default(const Row *row)
     return same;
 }
 
-/* A TRANSLATED_WHERE is seen by a number that is not its TRANSLATION's, whatever the default. */
+/* Each translation has a row whose number differs from the default. A TRANSLATED_WHERE may equal
+ * the default, since its number differs from that of the TRANSLATION without the condition. */
 static void every_translation_has_a_row(void **state)
 {
     (void)state;
@@ -194,7 +196,8 @@ static bool is_lost(int param)
     return false;
 }
 
-/* Some row sets it, or a LOSS says that nothing reads it. Displacement goes over as it stands. */
+/* Some row sets each parameter, or a LOSS lists it as not read. Parameters of displacement are
+ * exempt: they are copied unchanged. */
 static void every_parameter_is_set(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Warnings by name: which are said, which are errors, in documents and programs, by the settings of MatcOptions.warnings. */
+/* MatcOptions.warnings: which warnings of documents and programs are reported, and which as
+ * errors. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include <stdio.h>
@@ -15,9 +16,9 @@ static const char *const doubtful =
 
 typedef struct {
     const char *settings;
-    int unordered, unquoted; /* so many are said */
+    int unordered, unquoted; /* how many are reported */
     bool fine;
-    bool errors; /* unquoted_color is said as an error */
+    bool errors; /* unquoted_color is reported as an error */
 } Case;
 
 static const Case cases[] = {
@@ -70,10 +71,10 @@ static void settings_count(void **state)
     }
 }
 
-/* Advice about hex colors: where it is given, in how many notes, and where it is not. */
+/* Advice about hex colors: number and place of its notes, and documents without it. */
 static const struct {
     const char *settings, *text;
-    int notes, line; /* line: of the first */
+    int notes, line; /* line of the first note */
 } advised[] = {
     {"linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
     {"linear-colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
@@ -85,11 +86,11 @@ static const struct {
     {"error,linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
     {"linear_colors,error", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
     {"linear_colors,error=linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
-    /* one component alone that both readings differ in */
+    /* both readings differ in one component alone */
     {"linear_colors", "material: Phong\ndiffuse: \"#ffff80\"\n", 1, 2},
     {"linear_colors", "material: Phong\ndiffuse: \"#ff8000\"\n", 1, 2},
     {"linear_colors", "material: Phong\ndiffuse: \"#80ff00\"\n", 1, 2},
-    /* near misses: it is off, the file says what its colors are, or both readings are the same light */
+    /* near misses: advice is off, the file has `colors:`, or both readings are the same light */
     {NULL, "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
     {"", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
     {"error", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
@@ -126,8 +127,8 @@ static void advice_is_a_note(void **state)
     }
 }
 
-/* Both readings of a byte of 128, IEC 61966-2-1: 128 / 255, and ((128 / 255 + .055) / 1.055)^2.4. A warning of an
- * earlier line comes first, and advice is not taken for a note about it. */
+/* Advice prints both readings of a byte of 128 (IEC 61966-2-1): 128 / 255, and ((128 / 255 + .055)
+ * / 1.055)^2.4. It is sorted by its own line, not as a note about another warning. */
 static void advice_says_both_readings(void **state)
 {
     static const char text[] = "material: Phong\ndiffuse: \"#808080\"\ntransparency: #ff0000\nspecular: #ff0000\n";
@@ -145,7 +146,8 @@ static void advice_says_both_readings(void **state)
     matc_document_free(document);
 }
 
-/* Advice about a definition is found where that is used, here after a warning about a later line. */
+/* Advice about a definition's line is found at its use, here after a warning about a later line; it
+ * is printed first. */
 static void advice_goes_before_later_warnings(void **state)
 {
     static const char text[] =
@@ -163,7 +165,7 @@ static void advice_goes_before_later_warnings(void **state)
     matc_document_free(document);
 }
 
-/* Each file speaks for itself: the palette has no `colors:`, the document that includes it has. */
+/* `colors:` counts for one file: the palette has none, the document that includes it has one. */
 static char *palette_file(void *user, const char *path, size_t *size, const char **why)
 {
     static const char palette[] = "defs: { grey: \"#808080\" }\n";
@@ -190,7 +192,7 @@ static void advice_is_by_file(void **state)
     matc_document_free(document);
 }
 
-/* Two files without `colors:` have a note each, whichever is read first. */
+/* Two files without `colors:` get a note each, in either order of reading. */
 static void each_file_is_advised(void **state)
 {
     static const char *const texts[] = {
@@ -212,7 +214,7 @@ static void each_file_is_advised(void **state)
     }
 }
 
-/* Errors stay errors whatever is set, and a warning of a name that no warning has is a fault of the options. */
+/* Settings do not change errors, and an unknown name is a fault of the options. */
 static void only_warnings_have_settings(void **state)
 {
     static const char *const faults[] = {"no-unknown_map", "error=",     "no",     "unordered",
@@ -233,7 +235,7 @@ static void only_warnings_have_settings(void **state)
     matc_document_free(document);
 }
 
-/* A warning of compiling, not of reading: the program is not ok. */
+/* A warning that compiling reports: as an error it makes the program fail. */
 static void programs_have_them(void **state)
 {
     static const char material[] = "material: Phong\nspecular: 0.3\nshininess: 0.5\n";
@@ -260,7 +262,7 @@ static void programs_have_them(void **state)
     }
 }
 
-/* Each has its line on the page. */
+/* `matc --explain warnings` has a line for each warning. */
 static void a_page_lists_them(void **state)
 {
     (void)state;

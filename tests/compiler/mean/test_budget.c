@@ -134,7 +134,8 @@ static void means_cost_a_tenth(void **state)
     assert_true(costs.averaged > costs.programs / 20 && costs.averaged < costs.programs);
 }
 
-/* Whether the program of points costs as much beside one of means as by itself; false: it is not asked for there. */
+/* The program without means has the same cost in a fork as by itself. Returns false if the budget
+ * does not compute it in a fork. */
 static bool check_points_beside_means(Document *d, const Node *material, Pass pass)
 {
     Session session = d->session;
@@ -295,8 +296,8 @@ static int most_lowerings(size_t maps) { return maps ? 3 + (int)ceil(log2((doubl
 static void examples_take_few_lowerings(void **state)
 {
     (void)state;
-    /* It was 1.6 while lowering made the nodes of a slot each time that one was asked for: 121,000 by auto for 84,000 by none.
-     * Now a slot is lowered once, and there are 81,000 for 47,000. */
+    /* --aa=auto makes 81,000 nodes where --aa=none makes 47,000. (While each use of a slot lowered
+     * it again, there were 121,000 for 84,000, and the bound was 1.6.) */
     const double most_of_all = 1.75;
     DocumentList list = documents_list(SOURCE_FOLDER);
     double all[2] = {0};

@@ -1,11 +1,12 @@
-/* Layouts that C and GLSL share: what C's enum counts is what the embedded text declares, and both are sums by hand. */
+/* Layouts that C and GLSL share: offsets in C's enum and in the embedded GLSL equal sums made by
+ * hand. */
 #include "gen/bisection_layout.h"
 #include "gen/render_text.h"
 #include "tests/test.h"
 #include <stdio.h>
 #include <string.h>
 
-/* A name of GLSL, C's number, and the number by hand. */
+/* Name in GLSL, value in C, and the value computed by hand. */
 static const struct {
     const char *name;
     int here, expected;

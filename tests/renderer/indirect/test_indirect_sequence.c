@@ -23,8 +23,8 @@ static void sequences_are_as_they_are_published(void **state)
     }
 }
 
-/* The third number: Halton's is of base 5, others have one of base 3, as their first two are of
- * base 2. */
+/* The third dimension has base 5 in Halton's sequence, and base 3 in the others, whose first two
+ * have base 2. */
 static void thirds_are_of_other_bases(void **state)
 {
     (void)state;

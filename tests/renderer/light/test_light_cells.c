@@ -1,7 +1,7 @@
-/* Each slot in each kind of light: two materials that differ in the slot are drawn, a patch each,
- * and both are compared with frame/lit_reference.h, summed over the light's directions in double.
- * The slot's effect has to be several times what the comparison allows; where a cell says that
- * there is none, both patches are alike. */
+/* Each slot in each kind of light. Two materials that differ in the slot are drawn, a patch each,
+ * and compared with frame/lit_reference.h, summed over the light's directions in double. The slot's
+ * effect has to be at least three times the tolerance, so that the comparison proves it; if
+ * light_cells.def has no effect, both patches have to be equal within the tolerance. */
 /* ctest: unsanitized unoptimized */
 #include "tests/test.h"
 #include "compiler/evaluate.h"
@@ -28,8 +28,8 @@ typedef enum {
 /* -- The table --------------------------------------------------------------------------------- */
 
 typedef struct {
-    double within;   /* of the brighter patch; 0: the cell is empty */
-    const char *why; /* there is no effect; NULL: there is */
+    double within;   /* tolerance, as a share of the brighter patch; 0: the cell is missing */
+    const char *why; /* reason for no effect; NULL: the slot has an effect */
 } Cell;
 typedef struct {
     Model model;
@@ -71,8 +71,9 @@ static const Row rows[] = {
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
-/* Lights of each kind on the side of the eye, [0], and on the other, [1], in colors of their own.
- * All kinds are in every scene, so that one program draws all; those not meant are DIM. */
+/* Lights of each kind on the eye's side, [0], and on the far side, [1], in different colors. Every
+ * scene has all kinds, so that one program draws all scenes; kinds that are not under test are
+ * DIM. */
 #define DIM   1e-9
 #define FRONT "color: [1, .8, .6]"
 #define BACK  "color: [.5, .7, 1]"
@@ -126,8 +127,8 @@ static void no_cell_is_empty(void **state)
                          columns[light].kind);
 }
 
-/* The slots of Phong are those that the layout `integer` stores of it; of Principled, all others
- * and those that both have. */
+/* Slots of Phong: those that the layout `integer` stores. Slots of Principled: all others, and
+ * those that both models share. */
 static void every_slot_has_a_row(void **state)
 {
     (void)state;
@@ -188,7 +189,7 @@ typedef struct {
     LitReference lit[PATCHES];
 } Rig;
 
-/* All slots of both models at once, as no layout of layouts.def has them: 16 bits a lane. */
+/* A layout with all slots of both models, which layouts.def does not have: 16 bits a component. */
 static void open_layout(Rig *rig)
 {
     char text[4096], *to = text;
@@ -247,7 +248,7 @@ static const char *scene_text(Rig *rig, Light light)
     return rig->text;
 }
 
-/* The slots of the oracle at a patch's point. */
+/* The oracle's slots at a point of a patch. */
 static void patch_slots(const Rig *rig, const SceneMaterial *material, const double point[3],
                         SlotValues *slots)
 {
@@ -264,8 +265,8 @@ static void patch_slots(const Rig *rig, const SceneMaterial *material, const dou
 
 /* -- Light in double --------------------------------------------------------------------------- */
 
-/* An Area and a Sky are met by what a surface sends evenly with its albedo and Lambert's cosine, on
- * either side: the renderer takes fuzz and a rough base so (docs/renderer.md). */
+/* The lobe for an Area and a Sky: EVEN and BEHIND become Lambertian with their albedo, which is how
+ * the renderer treats fuzz and a rough base in these lights (docs/renderer.md). */
 static void even_lobe(const LitReference *lit, const double l[3], double parts[LIT_PARTS][3])
 {
     double albedos[LIT_PARTS][3];
@@ -278,7 +279,7 @@ static void even_lobe(const LitReference *lit, const double l[3], double parts[L
     }
 }
 
-/* Adds light of a color that arrives along one direction, of any length. */
+/* Adds light that arrives from one direction; `way` may have any length. */
 typedef void LitLobe(const LitReference *lit, const double l[3], double parts[LIT_PARTS][3]);
 static void add_lobe(const LitReference *lit, LitLobe *lobe, const double way[3],
                      const double light[3], double sum[3])
@@ -309,7 +310,7 @@ static double cone(const double way[3], const double axis[3])
     return s <= 0 ? 0 : s >= 1 ? 1 : s * s * (3 - 2 * s);
 }
 
-/* A parallelogram by 48 x 48 of its points; it shines along cross(u, v). */
+/* A parallelogram, sampled at 48 x 48 points; it emits along cross(u, v). */
 typedef struct {
     double corner[3], u[3], v[3], intensity;
     const double *color;
@@ -320,7 +321,7 @@ static void add_area(const LitReference *own, const AreaLight *light, const doub
 {
     enum { SIDE = 48 };
     double face[3];
-    LitReference mean = *own; /* facets as wide in the mean */
+    LitReference mean = *own; /* isotropic, with the mean square width */
     const LitReference *lit = &mean;
     mean.widths[0] = mean.widths[1] = sqrt((pow(own->widths[0], 2) + pow(own->widths[1], 2)) / 2);
     for (int i = 0; i < 3; i++)
@@ -341,7 +342,7 @@ static void add_area(const LitReference *own, const AreaLight *light, const doub
     }
 }
 
-/* Without Phong's lobe around what is straight on: the sky there is seen through the surface. */
+/* Omits Phong's lobe of transmission: add_own() adds the sky that is seen through the surface. */
 static void add_sky(const LitReference *lit, double sum[3])
 {
     enum { HEIGHTS = 120, TURNS = 120 };
@@ -358,7 +359,8 @@ static void add_sky(const LitReference *lit, double sum[3])
     }
 }
 
-/* Phong meets it with the slot ambient; Principled, which has none, as light from all around. */
+/* Phong reflects ambient light by its slot ambient; Principled has no such slot and takes it as
+ * uniform light from all directions. */
 static void add_ambient(const LitReference *lit, double sum[3])
 {
     double parts[LIT_PARTS][3];
@@ -372,7 +374,7 @@ static void add_ambient(const LitReference *lit, double sum[3])
     }
 }
 
-/* scene.def has the formulas: matt and ambient surfaces by their normal, mirrors by a horizon. */
+/* Formulas of scene.def: diffuse and ambient slots by the normal, specular ones by a horizon. */
 static double hemisphere_matt(double z, int lane)
 {
     const double ground[3] = {.2, .3, .5};
@@ -399,7 +401,7 @@ static void add_hemisphere(const LitReference *lit, double sum[3])
     }
 }
 
-/* Emission, and the sky behind the pixel as far as it passes. */
+/* Emission, and the sky behind the pixel times the transmittance. */
 static void add_own(const LitReference *lit, double sum[3])
 {
     double parts[LIT_PARTS][3], sky[3];
@@ -451,7 +453,7 @@ static void expected_light(const LitReference *lit, Light light, const double po
 
 typedef struct {
     double seen[2][3], wanted[2][3];
-    double brightest, effect; /* what the slot changes at one point, over the brightest */
+    double brightest, effect; /* change by the slot at one point, relative to `brightest` */
 } Pair;
 
 static Pair pair_of(const Rig *rig, Light light, int row)
@@ -472,7 +474,7 @@ static Pair pair_of(const Rig *rig, Light light, int row)
     return pair;
 }
 
-/* An effect that the comparison could not tell from its own error does not count. */
+/* Fails an effect of less than three times the tolerance, as the comparison would not prove it. */
 static bool check(const Pair *pair, const Cell *cell, const char *where)
 {
     const double effect = pair->effect;
@@ -515,7 +517,8 @@ static void slots_are_lit_as_defined(void **state)
     assert_int_equal(faults, 0);
 }
 
-/* The oracle's slots of all patches; of a row's second one the slot has another value. */
+/* Evaluates the oracle's slots of all patches, and checks that the two patches of a row differ in
+ * the row's slot. */
 static void rows_change_their_slot(void **state)
 {
     Rig *rig = *state;

@@ -78,7 +78,8 @@ static void through_glass(void **state)
     gl_close(gl);
 }
 
-/* Drawn in parts of 24 pixels, tiles and a glow lie where they do in the whole picture. */
+/* In a picture that is drawn in tiles of 24 pixels, the checkered backdrop and a glow lie where
+ * they do in a picture that is drawn at once. */
 static void parts_have_the_picture_s_backdrop(void **state)
 {
     (void)state;

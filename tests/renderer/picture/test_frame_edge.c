@@ -24,8 +24,8 @@ static double encoded(double c) { return c <= .0031308 ? 12.92 * c : 1.055 * pow
 typedef struct {
     const char *name, *text;
     double colors[5][3]; /* of each object, the sky's last; linear, mapped */
-    double most;         /* RMSE of what edges run through: 1.03 to 1.1 times what is seen */
-    int spoiled;         /* other pixels, at most: one or two more than are seen */
+    double most;         /* RMSE bound of pixels with edges: 1.03 to 1.1 times the measured */
+    int spoiled;         /* maximum of other pixels: one or two more than measured */
 } EdgeCase;
 
 static const EdgeCase cases[] = {

@@ -1,5 +1,6 @@
-/* Thresholds of the edge pass: for each a scene of which the next plausible value makes another
- * picture. Lines of pixels are compared with the lengths that a line cuts off them. */
+/* Thresholds of the edge pass: for each threshold a scene whose picture changes with the next
+ * plausible value. Sums over rows of pixels are compared with the length that an edge cuts off the
+ * row. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -38,8 +39,9 @@ static int count_blended(GlContext *gl, const char *text)
     return count;
 }
 
-/* A pattern with a panel's edge behind it, 0.15 % of the reversed depth, 0.9, farther away: that is
- * hidden. 0.05 % behind, which rounding and curved surfaces need, it is seen. */
+/* A panel's edge behind a patterned wall at reversed depth 0.9. The edge is hidden 0.15 % of that
+ * depth behind the wall. 0.05 % behind it is blended, a tolerance for rounding and curved
+ * surfaces. */
 static void what_is_a_little_nearer_hides(void **state)
 {
     static const char panel[] =
@@ -54,8 +56,8 @@ static void what_is_a_little_nearer_hides(void **state)
     assert_true(count_blended(*state, text) > 20);
 }
 
-/* A sliver that no pixel's center shows, before a border of a pattern 15 % farther away in reversed
- * depth: at its edges no pixel shows the sliver, so nothing is blended. */
+/* A sliver that covers no pixel center, in front of a pattern 15 % farther away in reversed depth.
+ * No pixel shows the sliver at its edges, so nothing is blended. */
 static void what_no_center_shows_blends_nothing(void **state)
 {
     static const char text[] =
@@ -66,10 +68,9 @@ static void what_no_center_shows_blends_nothing(void **state)
     assert_int_equal(count_blended(*state, text), 0);
 }
 
-/* Rows of a picture of a white side, left of a line, and a black one: the sum of a row is the
- * line's place, but for rows near the picture's border, and those where the line runs through a
- * pixel's center, on one side of which a slanted side looks like an edge of its own. Returns the
- * greatest difference. */
+/* Greatest error of an edge's place in a picture that is white left of the edge and black right of
+ * it: the sum of a row is the place. Rows near the border are skipped, and rows where the edge runs
+ * through a pixel center, beside which a slanted face looks like an edge of its own. */
 static double worst_row(GlContext *gl, const char *text, const double line[2])
 {
     float *rgba = draw(gl, text, RENDER_EDGES_coverage);
@@ -87,8 +88,8 @@ static double worst_row(GlContext *gl, const char *text, const double line[2])
     return worst;
 }
 
-/* A valley: two panels that come towards the eye on either side of a line, by 1.4 % of the distance
- * from pixel to pixel. What lies beside the line is nearer than it, and does not hide it. */
+/* A valley: two panels that meet in a line and come 1.4 % of the distance nearer to the eye with
+ * each pixel beside it. Their nearer pixels must not count as hiding the line. */
 static void valleys_are_blended(void **state)
 {
     static const char text[] = PICTURE
@@ -99,7 +100,7 @@ static void valleys_are_blended(void **state)
                                        "- { object: Parallelogram, u: [8, -9.8, 0], v: [1, 0, 10], "
                                        "transform: { translation: "
                                        "[-.48, 0, -5] }, " GLOWS("0") " }\n";
-    const double pixels = SIDE / 2 / tan(20 * 3.14159265358979 / 180) / 10; /* of a unit */
+    const double pixels = SIDE / 2 / tan(20 * 3.14159265358979 / 180) / 10; /* in a unit */
     /* x = .02 + .1 z in units; y rows upward */
     const double line[2] = {SIDE / 2 + .02 * pixels - .1 * SIDE / 2, .1};
     const double worst = worst_row(*state, text, line);
@@ -107,8 +108,8 @@ static void valleys_are_blended(void **state)
     assert_true(worst < .01);
 }
 
-/* A box whose side is so slanted that it is 7 % farther away from pixel to pixel: the crease before
- * it is blended, since its neighbor is no farther than 10 %. */
+/* A box whose side is so slanted that its depth grows by 7 % with each pixel. Its front edge is
+ * blended, since the neighboring pixel is less than 10 % farther away. */
 static void slanted_sides_are_blended(void **state)
 {
     static const char text[] = PICTURE

@@ -1,6 +1,7 @@
-/* Thresholds and weights of passes: functions of pass_history.glsl, pass_smooth.glsl, shadow.glsl
- * and indirect_mask.glsl alone, with formulas in the place of textures, against the same rules written in
- * double from their comments. What a picture shows of them is within its noise. */
+/* Thresholds and weights of passes. Functions are cut out of pass_history.glsl, pass_smooth.glsl,
+ * shadow.glsl and indirect_mask.glsl and run alone, with formulas in place of textures, against the
+ * rules in double that their comments state. In a whole picture noise would hide an error of these
+ * weights. */
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/frame/frame_draw.h"
@@ -11,7 +12,7 @@
 
 enum { SIDE = 32 };
 
-/* A copy of a text from one line's begin to another's, from malloc. */
+/* A copy, from malloc, of the text from `from` up to `to`. */
 static char *cut(const char *text, const char *from, const char *to)
 {
     const char *first = strstr(text, from), *last = first ? strstr(first, to) : NULL;
@@ -21,7 +22,7 @@ static char *cut(const char *text, const char *from, const char *to)
     return copy;
 }
 
-/* Draws four pieces of a text. */
+/* Runs a program of four pieces of text, and reads its values. */
 static void run(const char *const pieces[4], float (*values)[4])
 {
     GlContext *gl = frame_context();
@@ -33,21 +34,22 @@ static void run(const char *const pieces[4], float (*values)[4])
 
 /* -- History ----------------------------------------------------------------------------------- */
 
-/* The frame before saw a wall that faces the eye, 10 away; every pixel of it has four sets. A pixel
- * is 0.1 wide at distance 10. */
+/* The previous frame shows a wall that faces the eye at distance 10, where a pixel is 0.1 wide;
+ * every pixel has accumulated four sets of rays. */
 static const char history_head[] =
     "#define INDIRECT_COARSE 1\n"
     "const vec4 history_view = vec4(0.01, 0.0, 0.0, 0.0), history_ray = vec4(0.005, 0.005, 64.0, "
     "64.0);\n"
     "const int history_values = 0, history_places = 1;\n"
-    "ivec2 only = ivec2(-1);\n" /* the only pixel that has sets; -1: all have */
+    "ivec2 only = ivec2(-1);\n" /* the only pixel with accumulated sets; -1: all pixels */
     "vec4 fetched(int which, ivec2 p) { if (which == 0) return vec4(0.5); "
     "bool has = only.x < 0 || p == only; return vec4(10.0, has ? 4.0 : 0.0, 0.0, 0.0); }\n"
     "#define texelFetch(s, p, level) fetched(s, p)\n"
     "#define textureSize(s, level) ivec2(64)\n";
-/* x: at the middle of pixel (40, 24), column tenths of a pixel's width off the wall, seen straight;
- * y: turned by half a degree a column; z: 0.75 and more of a pixel aside of the only one that has
- * sets, along x and y, so that its weight is the square of what is left. */
+/* Sets that are kept at the middle of pixel (40, 24), by column. x: the point lies `column` tenths
+ * of a pixel's width off the wall. y: the normal is turned by 15 degrees and half a degree a
+ * column. z: the point lies 0.75 pixels and more, along x and y, beside the only pixel with sets,
+ * whose bilinear weight is the square of the rest. */
 static const char history_body[] =
     "vec4 passPixel(ivec2 p) {\n"
     "    vec3 at = vec3(0.85, -0.75, -10.0);\n" /* (2 (40, 24) + 1 - 64) 0.005, times 10 */
@@ -69,14 +71,15 @@ static void history_keeps_the_same_surface(void **state)
     run((const char *const[]){history_head, functions, history_body, NULL}, values);
     free(functions);
     for (int x = 0; x < SIDE; x++) {
-        /* Up to a pixel's width, which grows with the distance, 10 + 0.01 x. */
+        /* Kept up to a pixel's width off the wall; the width grows with the distance, 10 + 0.01
+         * x. */
         const double off = .01 * x, width = .1 * (1 + .001 * x), left = pow(.25 - .002 * x, 2);
         if (fabs(off - width) > .002 && (values[x][0] > 0) != (off < width))
             fail_msg("%d tenths of a pixel off: %g sets", x, (double)values[x][0]);
-        /* Up to 25.8 degrees. */
+        /* Kept up to 25.8 degrees, whose cosine is 0.9. */
         const double cosine = cos((.5 * x + 15) * 3.14159265358979 / 180);
         assert_true((values[x][1] > 0) == (cosine >= .9));
-        /* With a twentieth of the weight, or more. */
+        /* Kept with a weight of a twentieth or more. */
         if ((values[x][2] > 0) != (left >= .05))
             fail_msg("a weight of %g: %g sets", left, (double)values[x][2]);
         if (values[x][2] > 0)
@@ -84,16 +87,17 @@ static void history_keeps_the_same_surface(void **state)
     }
 }
 
-/* Rays found 0.4 and 0.6 in turn; what was kept is 1, or 0.6 by column. Of the 16 pixels the mean
- * is 0.5 and its deviation a fourth of 0.1: what was kept is brought to within 1.5 of that, 0.5375,
- * and its sets count the less the farther off it was. Pixels of which every second column lies
- * behind the tangent plane do not count from two widths on. */
+/* Rays find 0.4 and 0.6 in turn, and the accumulated value is 0.54 + 0.01 a column. The mean of the
+ * 16 pixels is 0.5, and the deviation of that mean a fourth of 0.1. The accumulated value is
+ * clamped to 1.5 deviations, 0.5375, and loses the more sets the farther it was off. In rows 1 and
+ * 2 the odd columns lie 1.8 and 2.2 widths of a pixel behind the tangent plane; from two widths on
+ * they do not count. */
 static const char limit_head[] =
     "#define INDIRECT_COARSE 1\n"
     "struct HistoryKept { vec4 value; float sets; };\n"
     "const vec4 history_doubts = vec4(1.0, 1.0, 0.0, 0.0), history_counts = vec4(0.0);\n"
     "const int history_rays = 0, indirect_depth = 1;\n"
-    "float behind = 0.0;\n" /* of odd columns, in widths of a pixel */
+    "float behind = 0.0;\n" /* distance of odd columns behind the plane, in widths of a pixel */
     "vec4 fetched(int which, ivec2 p) { if (which == 1) return vec4(1.0); "
     "return vec4(behind > 0.0 && (p.x & 1) == 1 ? 0.9 : ((p.x / 2 + p.y) & 1) == 0 ? 0.4 : 0.6); "
     "}\n"
@@ -125,14 +129,15 @@ static void history_is_brought_near_what_rays_find(void **state)
         assert_true(fabs((double)values[x][1] - limited) < 1e-4);
         assert_true(fabs((double)values[x][2] - sets) < .02);
     }
-    /* Within two widths the odd columns' 0.9 count as well: a mean of 0.7. Beyond they do not. */
+    /* Within two widths the 0.9 of odd columns counts too: a mean of 0.7. Beyond two it does
+     * not. */
     assert_true(values[SIDE + 20][0] > .7f && fabsf(values[2 * SIDE + 20][0] - .55f) < .02f);
 }
 
 /* -- Denoiser ---------------------------------------------------------------------------------- */
 
-/* Pixels of width 1 on a plane, of which every third column is raised and every fifth row turned;
- * values by a formula. */
+/* Pixels of width 1 on a plane; every third column is raised, every fifth row has a turned normal,
+ * and formulas give the values. */
 static const char smooth_head[] =
     "#define INDIRECT_COARSE 1\n"
     "ivec2 smoothLow() { return ivec2(0); }\nivec2 smoothSize() { return ivec2(64); }\n"
@@ -153,8 +158,9 @@ static double source_of(int x, int y) { return .5 + .2 * sin(3 * x + 5 * y); }
 static double rays_of(int x, int y) { return .5 + .05 * sin(7 * x + 11 * y); }
 static double height_of(int x) { return x % 3 == 0 ? .4 : 0; }
 
-/* The share of a pixel by its plane and its normal: a distance of one width for each pixel that it
- * is away ends it, and the normals' cosine counts to its eighth power. */
+/* Weight of a pixel by plane and normal. It falls linearly to 0 at a distance from the plane of as
+ * many widths as the pixel is pixels away, and has the eighth power of the normals' cosine as a
+ * factor. */
 static double same_surface(const int from[2], const int to[2], double away)
 {
     const double n[2][2] = {{from[1] % 5 ? 0 : .6, from[1] % 5 ? 1 : .8},
@@ -165,8 +171,8 @@ static double same_surface(const int from[2], const int to[2], double away)
     return fmax(1 - off / fmax(away, 1), 0) * pow(cosine, 8);
 }
 
-/* What is left of the rays' deviation in 3 x 3 pixels: 70 / 256 after level 0, half after each
- * further one. */
+/* Deviation of the rays in 3 x 3 pixels that is left after the earlier levels: 70 / 256 after level
+ * 0, half of that after each further level. */
 static double noise_of(const int at[2], int level)
 {
     double sums[3] = {0};
@@ -229,8 +235,8 @@ static void denoiser_weighs_by_surface_and_noise(void **state)
 
 /* -- Cascades ---------------------------------------------------------------------------------- */
 
-/* Views of 64 texels and a filter of one: a cascade has no texels for a point within three of them
- * of its border, and counts in full a sixteenth of half its width farther inside. */
+/* Cascades of 64 texels with a filter of 1 texel. The weight of a cascade is 0 within three texels
+ * of its border, and 1 from a sixteenth of half its width farther inside. */
 static const char cascade_head[] =
     "#define SHADOW_SIZE 64\n#define SHADOW_FILTER 1\n"
     "vec4 shadowRow(int view, int row) { return vec4(0.0, 0.01, 0.0, 0.0); }\n"
@@ -252,7 +258,8 @@ static void cascades_give_way_in_a_band(void **state)
     free(function);
     for (int x = 0; x < SIDE; x++)
         for (int i = 0; i < 4; i++) {
-            /* Lifted along the normal by 1.5 texels, each 0.01 wide here, and a 64th of a pixel. */
+            /* The point is lifted along the normal by 1.5 texels, each 0.01 wide, and a 64th of a
+             * pixel. */
             const double place = .85 + .005 * x + (i < 2 ? 0 : i < 3 ? .015 : .025);
             const double inside = fmin(fmax((1 - 3 / 64. - place) / .0625, 0), 1);
             assert_true(fabs((double)values[x][i] - inside) < 1e-4);
@@ -261,10 +268,10 @@ static void cascades_give_way_in_a_band(void **state)
 
 /* -- Sectors ----------------------------------------------------------------------------------- */
 
-/* x: the place of an angle from -90 to 90 degrees among the sectors, by column, where the normal
- * leans by the row; y: how many bits lie between the column and twice that and a half; z: bits of a
- * word of 0xFFFFFFFF over the column; w: that the column's bit is one by itself,
- * and that those before it are so many. */
+/* Columns are angles from -90 to 90 degrees, rows angles of the normal. x: the sector of the
+ * column's angle. y: number of bits from `column` + 0.9 to 2 `column` + 0.5. z: number of bits of
+ * 0xFFFFFFFF shifted right by the column. w: 1 if indirectBits() sets the column's bit alone, and
+ * as many bits below it as the column's number. */
 static const char sector_body[] =
     "vec4 passPixel(ivec2 p) { float g = radians(5.0 * float(p.y) - 77.5), quarter = "
     "radians(90.0);\n"
@@ -278,7 +285,7 @@ static const char sector_body[] =
     "                float(from == 1u << uint(p.x) && indirectCount(indirectBits(0.2, x + 0.5)) == "
     "x)); }\n";
 
-/* The integral of cos(t - g) |sin t| by small steps. */
+/* Integral of cos(t - g) |sin t| from low to high by the midpoint rule. */
 static double weight_between(double low, double high, double g)
 {
     enum { STEPS = 2000 };

@@ -130,9 +130,9 @@ static void what_is_missing_is_made(void **state)
     shape_free(&shape);
 }
 
-/* Two triangles of edges 3, 3 and 3, 1, which meet at a right angle: cross products (0, 0, 9) and
- * (3, 0, 0), so that shared corners have the normal (1, 0, 3) / sqrt(10). By angle, or by face, they
- * would have (1, 0, 1) / sqrt(2). Corners are told apart by their u and v. */
+/* Two triangles with legs 3, 3 and 3, 1 meet at a right angle. Their cross products are (0, 0, 9)
+ * and (3, 0, 0), so weights by area give shared corners the normal (1, 0, 3) / sqrt(10). Weights by
+ * angle or by face would give (1, 0, 1) / sqrt(2). u and v identify the corners. */
 static void missing_normals_are_weighed_by_area(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Limits of scenes, each at its border and one beyond it: scene.h, scene_area.h and scene_origin.c
- * name them, docs/stability.md lists those that an author may meet. */
+/* Limits of scenes: the last value that passes and the first that is refused. scene.h, scene_area.h
+ * and scene_origin.c name the limits, docs/stability.md lists those that an author may meet. */
 #include "tests/test.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_origin.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Reads a scene; NULL: its diagnostics, from malloc, are in *why. */
+/* Reads a scene. If it returns NULL, *document has the diagnostics. */
 static Scene *read(const char *text, MatcDocument **document)
 {
     MatcOptions options;
@@ -17,7 +17,7 @@ static Scene *read(const char *text, MatcDocument **document)
     return scene;
 }
 
-/* A scene that is read, and one that is refused in these words. */
+/* `fine` is read, `beyond` is refused with a message that has these words. */
 static void assert_border(const char *fine, const char *beyond, const char *words)
 {
     MatcDocument *document;
@@ -33,7 +33,7 @@ static void assert_border(const char *fine, const char *beyond, const char *word
     matc_document_free(document);
 }
 
-/* `count` times a line. */
+/* Appends a line `count` times. */
 static char *repeat(char *to, const char *line, int count)
 {
     for (int i = 0; i < count; i++)
@@ -52,8 +52,8 @@ static void planes(void **state)
     assert_border(texts[0], texts[1], "more than 256 planes");
 }
 
-/* Groups that hold nothing, a thousand by an alias: 1,023 times one of 1,024, and 1,024 by
- * themselves; a Group counts, too. */
+/* 2^20 groups: 1,023 groups, each with 1,023 empty groups by an alias, which makes 1,024 with
+ * itself, and 1,024 more. One further group is refused. */
 static void objects_and_groups(void **state)
 {
     (void)state;
@@ -68,7 +68,7 @@ static void objects_and_groups(void **state)
     assert_border(texts[0], texts[1], "more than 1048576 objects and groups");
 }
 
-/* A sphere of n steps counts as n * n triangles: 64 of 1,024 steps are all that there may be. */
+/* A sphere of n steps counts as n * n triangles, so 64 spheres of 1,024 steps reach the limit. */
 static void triangles(void **state)
 {
     (void)state;
@@ -85,8 +85,8 @@ static void triangles(void **state)
     assert_border(texts[0], texts[1], "more than 67108864 triangles in meshes that differ");
 }
 
-/* An Area is cut 10,000 times the camera's distance from its target, 5 here, to each side of the
- * camera's foot on the light's plane. */
+/* An Area is clipped at 10,000 times the distance from camera to target, 5 here, to each side of
+ * the camera's projection on the light's plane. */
 static void edges_of_an_area(void **state)
 {
     (void)state;
@@ -107,8 +107,9 @@ static void edges_of_an_area(void **state)
     }
 }
 
-/* The origin stays the world's while the camera is within 16 times its distance from its target, 5
- * here, of it, and where it is until the camera has gone 1,024 times that. */
+/* A scene keeps the world's origin if the camera lies within 16 times the distance from camera to
+ * target, 5 here, of it. The origin then stays until the camera has moved 1,024 times that
+ * distance. */
 static void origins_near_cameras(void **state)
 {
     (void)state;

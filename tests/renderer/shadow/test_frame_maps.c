@@ -1,5 +1,5 @@
-/* How many shadow maps a light has, how near to a light something still casts a shadow, and what
- * does not shade itself: the limits that scene.def and shadow_views.c name. */
+/* Number of shadow maps of a light, nearest shadow caster, surfaces that must not shadow
+ * themselves: limits that scene.def and shadow_views.c name. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
@@ -9,8 +9,8 @@
 enum { SIDE = 16, TEXT = 1024 };
 #define PICTURE "image: { width: 16, height: 16 }\nshadowMaps: { size: 64 }\n"
 
-/* "A spot has one map, from 120 degrees on six, as a point has; a directional light as many as
- * cascades." */
+/* A spot has one map below 120 degrees, and six like a point from there on. A directional light has
+ * one for each cascade. */
 static void lights_have_their_maps(void **state)
 {
     (void)state;
@@ -43,8 +43,8 @@ static void lights_have_their_maps(void **state)
     gl_close(gl);
 }
 
-/* A lid so close to a lamp that the floor's farthest corner is a thousand times as far away hides
- * the floor below it; at a ten-thousandth of that it is nearer than maps know. */
+/* A lid below a lamp shadows the floor if the floor's farthest corner is about a thousand times as
+ * far away as the lid. A lid at a tenth of that distance is nearer than the maps' near plane. */
 static void near_things_cast_shadows(void **state)
 {
     (void)state;
@@ -75,8 +75,8 @@ static void near_things_cast_shadows(void **state)
     gl_close(gl);
 }
 
-/* A leaf that a lamp lights from behind, three away, is not in its own shadow: what it scatters is
- * 0.8 cos / 9 of the lamp's 9. */
+/* A leaf, lit from behind by a lamp at distance 3, must not shadow itself. Its diffuse transmission
+ * is 9 (intensity) x 0.8 cos / 9 (distance squared). */
 static void leaves_do_not_shade_themselves(void **state)
 {
     (void)state;

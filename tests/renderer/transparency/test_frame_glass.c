@@ -171,7 +171,7 @@ static void layers_are_their_closed_form(void **state)
     }
 }
 
-/* -- what the targets' words become in the lists */
+/* -- packing of each target format in the lists */
 
 #define BYTES \
     "{ slot: normal, encoding: octahedral, bits: 8 }, " \
@@ -182,8 +182,9 @@ static void layers_are_their_closed_form(void **state)
     "{ slot: emissive, encoding: unorm, bits: 16 }, " \
     "{ slot: transparency, encoding: unorm, bits: 16 }"
 
-/* Fifths are codes of 8 and of 16 bits. Red, as the others: .2 + .8 * .6 + .8 * .4 * .25 = .76. The
- * picture has half floats here, and each pane's sum is rounded by 2^-12 at most. */
+/* 8 and 16 bits store fifths exactly. The expected red is .2 + .8 * .6 + .8 * .4 * .25 = .76, and
+ * the other components follow likewise. The picture has half floats, which round each pane's sum by
+ * 2^-12 at most. */
 static void lists_hold_words_of_each_format(void **state)
 {
     (void)state;

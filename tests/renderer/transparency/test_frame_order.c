@@ -128,9 +128,10 @@ static void runs_in_turns(void **state)
     frame_forget(scene, document);
 }
 
-/* Slanted panes whose middles lie in the opposite order of what a pixel sees: each is a run of its
- * own, and all have to be sorted. The camera looks along y; pane i crosses its sight at y = i / 10,
- * and has its middle aside at y = -i / 10. Every third glows, so that the sum is a closed form. */
+/* Slanted panes whose centers lie in the opposite order of their fragments in a pixel. Each pane is
+ * a run of its own, and all runs have to be sorted. The camera looks along y; pane i crosses the
+ * line of sight at y = i / 10, and its center lies beside it at y = -i / 10. Every third pane
+ * glows, which gives the sum a closed form. */
 static void every_layer_is_a_run(void **state)
 {
     (void)state;
