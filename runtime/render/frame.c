@@ -195,7 +195,7 @@ void frame_draw(Render *render)
 
 void frame_clear(Render *render)
 {
-    for (int i = 0; i < PASSES; i++)
+    for (int i = PASSES - 1; i >= 0; i--) /* a pass may keep things in the state of one before it */
         if (passes[i]->forget)
             passes[i]->forget(render);
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)
