@@ -144,8 +144,10 @@ static bool check_points_beside_means(Document *d, const Node *material, Pass pa
     const Job job = job_of("auto", pass);
     const LowerRequest what = {&session, d->graph, material, &job, opt_simplify};
     Ir *means = lower_averaging(&l, &what, INT_MAX);
-    if (!means || !l.averageable.count || l.averageable.mingled || lower_displaced(material))
+    if (!means || !l.averageable.count || l.averageable.mingled || lower_displaced(material)) {
+        cost_of_lowered(means ? means : l.ir);
         return false;
+    }
     const int before = cost_of(means), beside = lower_cost_of_points(&l, material);
     const int alone = cost_of_lowered(lower_averaging(&(Lower){0}, &what, 0));
     if (beside != alone)
