@@ -14,12 +14,32 @@
 #include <string.h>
 
 /* In the order of a frame. */
+/* clang-format off */
 static const FramePass *const passes[] = {
-    &pass_surface,  &pass_plane,  &pass_positions, &pass_shadow, &pass_voxels, &pass_cubes,
-    &pass_radiance, &pass_volume, &pass_gather,    &pass_light,  &pass_rays,   &pass_history,
-    &pass_smooth,   &pass_spread, &pass_combine,   &pass_sky,    &pass_edge,   &pass_tools,
-    &pass_lists,    &pass_blend,  &pass_peel,      &pass_tone,
+    &pass_surface,
+    &pass_plane,
+    &pass_positions,
+    &pass_shadow,
+    &pass_voxels,
+    &pass_cubes,
+    &pass_radiance,
+    &pass_volume,
+    &pass_gather,
+    &pass_light,
+    &pass_rays,
+    &pass_history,
+    &pass_smooth,
+    &pass_spread,
+    &pass_combine,
+    &pass_sky,
+    &pass_edge,
+    &pass_tools,
+    &pass_lists,
+    &pass_blend,
+    &pass_peel,
+    &pass_tone,
 };
+/* clang-format on */
 enum { PASSES = sizeof passes / sizeof *passes };
 
 int frame_pass_count(void) { return PASSES; }

@@ -15,7 +15,7 @@ tar -cf - --exclude=./.git --exclude='./build*' . | tar -xf - -C "$copy"
 # that begins with the text. A file that is there, one that is not, and a text that is not found are faults of the page.
 add_blocks() {
     awk -v folder="$copy/" '
-        function fault(why) { print FILENAME ": " file ": " why; failed = 1; exit 1 }
+        function fault(why) { print FILENAME ": " file ": " why >"/dev/stderr"; failed = 1; exit 1 }
         function take(path,   line, text, done) {
             while ((getline line <path) > 0) {
                 if (before != "" && !done && index(line, before) == 1) { text = text block; done = 1 }
