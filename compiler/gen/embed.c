@@ -1,7 +1,8 @@
 /* Host program: text files -> C. embed OUTPUT SYMBOL FILE...
  * With SYMBOL "chunk_table": library chunks as link.h has them; "library_table": files by their names, as grammar/library_table.h has them.
  * Otherwise one string a file, `const char SYMBOL_<name>[]`, and beside OUTPUT a header that declares all of them.
- * Of a layout, pool.layout.def, C gets the header pool_layout.h, and GLSL what replaces its line #include "pool.layout.def". */
+ * A layout file pool.layout.def becomes the header pool_layout.h for C; in GLSL it replaces the
+ * line #include "pool.layout.def". */
 #include "compiler/gen/layout_text.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,7 +8,8 @@
 /* Bits of targets, for the columns of FramePlanPass. */
 #define FRAME_BIT(target) (1u << FRAME_TARGET_##target)
 
-/* What has changed in the scene: a set of RenderChange and of these flags. */
+/* Flags that join those of RenderChange: together they tell a pass which parts of the scene
+ * have changed. */
 typedef enum {
     FRAME_SHAPES = 1 << 8 /* displaced meshes were tessellated again */
 } FrameChange;
